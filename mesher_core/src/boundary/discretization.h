@@ -1,0 +1,33 @@
+// Every CAD edge cut once into mesh edges on its exact curve, for all faces that share it.
+#pragma once
+
+#include <vector>
+
+#include "base/types.h"
+#include "geometry/evaluator.h"
+#include "sizing/settings.h"
+
+namespace advlayers {
+
+struct BoundaryNode {
+  Vec3 xyz;
+  VertexId vertex;  // set for a node on a CAD vertex
+  EdgeId edge;      // set for a node inside a CAD edge
+  double t = 0.0;   // parameter on that edge
+};
+
+struct EdgeNodes {
+  std::vector<NodeId> nodes;    // from first to last parameter, ends included
+  std::vector<double> params;   // one per node
+};
+
+struct Discretization {
+  std::vector<BoundaryNode> nodes;
+  std::vector<EdgeNodes> edges;  // by EdgeId; a degenerate edge has one node and no segment
+};
+
+// Cuts edges by size, curvature angle and a graded transition from short edges. A closed edge gets at
+// least three segments; every edge at least one. Edges of no meshed face are left empty.
+Discretization discretize(Evaluator& evaluator, const Settings& settings);
+
+}  // namespace advlayers

@@ -1,0 +1,54 @@
+// Exact evaluation of the model's curves and surfaces. One Evaluator per thread: OpenCASCADE's
+// adaptors cache the knot span they were last asked about. Cheap to make; adaptors are made lazily.
+#pragma once
+
+#include <memory>
+
+#include "base/types.h"
+#include "geometry/model.h"
+
+namespace advlayers {
+
+// S(u, v), its first derivatives and the outward unit normal. At a pole or tip, where the
+// derivatives do not span a plane, the normal is the limit from inside the face; `degenerate` says so.
+struct SurfaceFrame {
+  Vec3 xyz, du, dv, normal;
+  bool degenerate = false;
+};
+
+class Evaluator {
+ public:
+  explicit Evaluator(const Model& model);
+  ~Evaluator();
+  Evaluator(Evaluator&&) noexcept;
+
+  const Model& model() const;
+
+  SurfaceFrame frame(FaceId face, double u, double v);
+  Vec3 normal(const SurfacePoint& p) { return frame(p.face, p.u, p.v).normal; }
+
+  // Largest absolute principal curvature [1/mm] at a point.
+  double max_curvature(FaceId face, double u, double v);
+
+  // The foot of `xyz` on the face's surface, by Newton from the seed's (u, v); the (u, v) of a
+  // closed surface are kept near the seed's (they may leave the base period). Untrimmed.
+  // Returns false, and leaves `foot` at the best point seen, where Newton does not converge.
+  bool project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoint& foot);
+
+  // The foot of `xyz` on the trimmed face without a seed: a search over samples of the face first.
+  SurfacePoint closest(FaceId face, const Vec3& xyz);
+
+  Vec3 edge_point(EdgeId edge, double t);
+  Vec3 edge_tangent(EdgeId edge, double t);  // dC/dt, not normalized
+  double edge_curvature(EdgeId edge, double t);  // [1/mm]
+  // Length of the curve between two parameters [mm].
+  double edge_length(EdgeId edge, double t0, double t1);
+  // (u, v) of the edge's point on the face, by the co-edge's curve in (u, v).
+  Vec2 edge_uv(FaceId face, const CoEdge& coedge, double t);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace advlayers

@@ -1,0 +1,66 @@
+// The front system of one patch: Algorithm 1 of the paper (II.K), one layer per call.
+// Before and after each call the mesh is a valid, conforming mesh of the patch.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/cancel.h"
+#include "base/diagnostic.h"
+#include "geometry/patch_surface.h"
+#include "layers/wall_plan.h"
+#include "mesh/surface_mesh.h"
+
+namespace advlayers {
+
+enum class Step : std::uint8_t {
+  kMakeWay, kRedefine, kExtrude, kRecover, kImprove, kCollapse, kCombine, kSmooth, kGrow
+};
+const char* step_name(Step step);
+
+// Why a front vertex got no further kid.
+enum class Stop : std::uint8_t { kLayersReached, kIsotropic, kCollision, kClosed, kBlocked, kMerged };
+inline constexpr int kStopCount = 6;
+const char* stop_name(Stop stop);
+
+// Why the front lost edges; each names the triangles it cost.
+enum class Event : std::uint8_t { kCollapse, kRowEnd, kCloseTriangle, kCloseMidpoint, kCollision };
+inline constexpr int kEventCount = 5;
+const char* event_name(Event event);
+
+struct LayerReport {
+  PatchId patch;
+  int layer = 0;
+  int front_vertices = 0;  // after the layer
+  int quads = 0, triangles = 0;  // made in this layer
+  std::array<int, kVetoCount> vetoes{};
+  std::array<int, kEventCount> events{};
+  std::array<int, kStopCount> stops{};
+};
+
+class PatchLayers {
+ public:
+  // Called after each step of a layer; the mesh is valid then. For tests and previews.
+  using StepHook = std::function<void(Step, const SurfaceMesh&)>;
+
+  PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, WallPlan plan);
+  ~PatchLayers();
+
+  // Advances one layer. Returns false, and changes nothing, once no front is left.
+  // Throws Cancelled at the next local operation after a stop was asked for.
+  bool advance(LayerReport& report, const CancelFlag& cancel);
+
+  void set_step_hook(StepHook hook);
+  const std::vector<Diagnostic>& diagnostics() const;
+
+  struct Impl;
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace advlayers

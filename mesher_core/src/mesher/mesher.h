@@ -1,0 +1,39 @@
+// Meshes a model: cuts the boundaries, triangulates the patches, then grows layers. The caller
+// owns the loop, one layer of one patch at a time. Patches are independent once the boundaries are
+// cut; they run side by side, with the same result, bit for bit, for any number of threads.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/cancel.h"
+#include "geometry/model.h"
+#include "mesher/result.h"
+#include "sizing/settings.h"
+
+namespace advlayers {
+
+class Mesher {
+ public:
+  // Throws InvalidInput naming a wrong setting. The model must outlive the mesher.
+  Mesher(const Model& model, const Settings& settings);
+  ~Mesher();
+
+  // Advances one layer of one patch (the first call also triangulates); empty when no front is left.
+  // Throws Cancelled.
+  std::optional<LayerReport> next();
+
+  // May be called from any thread; takes effect within one local operation's time.
+  void cancel();
+
+  // The mesh as it stands: valid at any time after the first next().
+  MeshResult snapshot() const;
+  // Finishes the core (improves, recombines) and gives the mesh. Call once.
+  MeshResult result();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace advlayers

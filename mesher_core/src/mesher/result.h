@@ -1,0 +1,51 @@
+// The finished mesh of the whole model: plain arrays, frozen.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "layers/patch_layers.h"
+
+namespace advlayers {
+
+// What was asked of one wall edge on one face, and what the final mesh measures there.
+struct WallReport {
+  EdgeId edge;
+  FaceId face;
+  double first_height = 0.0;  // asked [mm]
+  double growth = 1.0;        // asked
+  double achieved_min = 0.0, achieved_mean = 0.0, achieved_max = 0.0;  // first height [mm]
+  double achieved_growth = 0.0;  // mean over columns; 0 where no column has two layers
+  int layers = 0;                // complete layers along the whole edge
+  std::map<std::string, int> stops;  // reason -> wall vertices
+};
+
+struct PatchReport {
+  PatchId patch;
+  std::vector<FaceId> faces;
+  int layers = 0, quads = 0, triangles = 0;
+  std::map<std::string, int> events;  // collapse, row-end, … -> count
+  std::map<std::string, int> triangles_by_cause;
+  std::map<std::string, int> vetoes;
+};
+
+struct MeshResult {
+  std::vector<Vec3> nodes;
+  std::vector<std::array<int, 4>> quads;      // zero-based, counter-clockwise against the outward normal
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<FaceId> quad_face, triangle_face;
+  std::vector<int> quad_layer, triangle_layer;  // 0: core
+  std::vector<int> node_parent;                 // -1: none
+  std::vector<int> node_layer;
+  // Mesh edges on CAD edges: node pairs, by EdgeId.
+  std::vector<std::vector<std::array<int, 2>>> edge_segments;
+  std::vector<PatchReport> patches;
+  std::vector<WallReport> walls;
+  std::vector<Diagnostic> diagnostics;
+  std::map<std::string, double> seconds;  // boundary, triangulate, layers, core
+};
+
+}  // namespace advlayers

@@ -1,0 +1,44 @@
+// What the user asks for, checked. Lengths in mm, angles in degrees, as in the job file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/types.h"
+
+namespace advlayers {
+
+class Model;
+
+enum class CoreElements { kQuads, kTriangles };
+enum class EndOfGrowth { kFrontsClose, kLayers, kIsotropic };
+
+// Layers from the listed edges, with their own spacing where given.
+struct WallSpec {
+  std::vector<EdgeId> edges;
+  std::vector<FaceId> faces;  // empty: on every side
+  std::optional<double> first_height, growth;
+  std::optional<int> layers;
+};
+
+struct Settings {
+  double size = 0.0;           // target edge length [mm]
+  double first_height = 0.0;   // [mm]
+  double growth = 1.2;
+  EndOfGrowth end = EndOfGrowth::kFrontsClose;
+  int layers = 0;              // for EndOfGrowth::kLayers
+  double feature_angle = 20.0;  // [deg]; 0: every CAD face is a patch of its own
+  double curvature_angle = 20.0;  // [deg] an edge segment or triangle side may turn
+  CoreElements core = CoreElements::kQuads;
+  bool walls_all = true;
+  std::vector<WallSpec> walls;
+  std::vector<EdgeId> match_edges, off_edges;
+  std::vector<FaceId> faces;   // empty: all
+  int threads = 0;             // 0: as many as there are
+};
+
+// Throws InvalidInput naming the setting and its value.
+void check(const Settings& settings, const Model& model);
+
+}  // namespace advlayers
