@@ -2,7 +2,7 @@
 #pragma once
 
 #include <limits>
-#include <vector>
+#include <unordered_map>
 
 #include "base/types.h"
 
@@ -18,7 +18,9 @@ struct EdgePlan {
 };
 
 struct WallPlan {
-  std::vector<EdgePlan> edges;  // by EdgeId over the whole model
+  // The patch's boundary edges alone: with one entry per edge of the model in every patch, a model
+  // of thousands of faces would cost gigabytes.
+  std::unordered_map<EdgeId, EdgePlan> edges;
   bool stop_at_isotropy = false;
 };
 
