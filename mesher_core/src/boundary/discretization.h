@@ -17,8 +17,8 @@ struct BoundaryNode {
 };
 
 struct EdgeNodes {
-  std::vector<NodeId> nodes;    // from first to last parameter, ends included
-  std::vector<double> params;   // one per node
+  std::vector<NodeId> nodes;   // from first to last parameter, ends included
+  std::vector<double> params;  // one per node
 };
 
 struct Discretization {
@@ -26,8 +26,8 @@ struct Discretization {
   std::vector<EdgeNodes> edges;  // by EdgeId; a degenerate edge has one node and no segment
 };
 
-// Cuts edges by size, curvature angle and a graded transition from short edges. A closed edge gets at
-// least three segments; every edge at least one. Edges of no meshed face are left empty.
+// Cuts edges by size, curvature angle and a graded transition from short edges. A closed edge gets
+// at least three segments; every edge at least one. Edges of no meshed face are left empty.
 Discretization discretize(Evaluator& evaluator, const Settings& settings);
 
 }  // namespace advlayers

@@ -10,7 +10,8 @@
 namespace advlayers {
 
 // S(u, v), its first derivatives and the outward unit normal. At a pole or tip, where the
-// derivatives do not span a plane, the normal is the limit from inside the face; `degenerate` says so.
+// derivatives do not span a plane, the normal is the limit from inside the face; `degenerate` says
+// so.
 struct SurfaceFrame {
   Vec3 xyz, du, dv, normal;
   bool degenerate = false;
@@ -39,7 +40,7 @@ class Evaluator {
   SurfacePoint closest(FaceId face, const Vec3& xyz);
 
   Vec3 edge_point(EdgeId edge, double t);
-  Vec3 edge_tangent(EdgeId edge, double t);  // dC/dt, not normalized
+  Vec3 edge_tangent(EdgeId edge, double t);      // dC/dt, not normalized
   double edge_curvature(EdgeId edge, double t);  // [1/mm]
   // Length of the curve between two parameters [mm].
   double edge_length(EdgeId edge, double t0, double t1);

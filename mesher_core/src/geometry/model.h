@@ -15,31 +15,32 @@ namespace advlayers {
 enum class SurfaceKind { kPlane, kCylinder, kCone, kSphere, kTorus, kOther };
 
 // One run of an edge along a face's boundary. Walking a loop's co-edges in order, each from its
-// first to its last point, keeps the face's material on the left as seen against the outward normal.
+// first to its last point, keeps the face's material on the left as seen against the outward
+// normal.
 struct CoEdge {
   EdgeId edge;
-  bool forward = true;   // along increasing edge parameter
-  bool seam = false;     // the face uses this edge twice
-  int pcurve = 0;        // which of a seam's two curves in (u, v); 0 otherwise
+  bool forward = true;      // along increasing edge parameter
+  bool seam = false;        // the face uses this edge twice
+  int pcurve = 0;           // which of a seam's two curves in (u, v); 0 otherwise
   bool degenerate = false;  // a pole: one point in space, a segment in (u, v)
 };
 
 struct Face {
   std::vector<std::vector<CoEdge>> loops;  // as wires come; the outer one first where it is known
-  bool reversed = false;  // outward normal is -(Su x Sv)
+  bool reversed = false;                   // outward normal is -(Su x Sv)
   SurfaceKind kind = SurfaceKind::kOther;
-  double area = 0.0;                             // [mm^2]
-  double tolerance = 0.0;                        // [mm]
+  double area = 0.0;                                  // [mm^2]
+  double tolerance = 0.0;                             // [mm]
   double u_min = 0, u_max = 0, v_min = 0, v_max = 0;  // bounds of the trimmed face
-  double u_period = 0.0, v_period = 0.0;         // 0: not closed in that direction
+  double u_period = 0.0, v_period = 0.0;              // 0: not closed in that direction
   std::string defect;  // empty, or why the face cannot be meshed ("no boundary wire", …)
 };
 
 struct Edge {
-  VertexId start, end;       // at first and last parameter; equal for a closed edge; may be none
+  VertexId start, end;         // at first and last parameter; equal for a closed edge; may be none
   double first = 0, last = 0;  // range of the curve's parameter
-  double length = 0.0;       // [mm]
-  double tolerance = 0.0;    // [mm]
+  double length = 0.0;         // [mm]
+  double tolerance = 0.0;      // [mm]
   bool degenerate = false;
   std::vector<FaceId> faces;  // each face once; more than two: non-manifold
 };

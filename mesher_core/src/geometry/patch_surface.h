@@ -19,9 +19,9 @@ class PatchSurface {
   bool project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoint& foot);
 
   // Walks `length` [mm] along the surface from `from`, starting in `direction` (any vector with a
-  // part in the tangent plane; need not be a unit vector), as straight as the surface allows: predicted by the first
-  // fundamental form, corrected by projection, sub-stepped where curvature x step is large. The
-  // arc length from `from` to `to` is `length` to 1e-6 relative.
+  // part in the tangent plane; need not be a unit vector), as straight as the surface allows:
+  // predicted by the first fundamental form, corrected by projection, sub-stepped where curvature x
+  // step is large. The arc length from `from` to `to` is `length` to 1e-6 relative.
   bool step(const SurfacePoint& from, const Vec3& direction, double length, SurfacePoint& to);
 
  private:

@@ -18,12 +18,27 @@
 namespace advlayers {
 
 enum class Step : std::uint8_t {
-  kMakeWay, kRedefine, kExtrude, kRecover, kImprove, kCollapse, kCombine, kSmooth, kGrow
+  kMakeWay,
+  kRedefine,
+  kExtrude,
+  kRecover,
+  kImprove,
+  kCollapse,
+  kCombine,
+  kSmooth,
+  kGrow
 };
 const char* step_name(Step step);
 
 // Why a front vertex got no further kid.
-enum class Stop : std::uint8_t { kLayersReached, kIsotropic, kCollision, kClosed, kBlocked, kMerged };
+enum class Stop : std::uint8_t {
+  kLayersReached,
+  kIsotropic,
+  kCollision,
+  kClosed,
+  kBlocked,
+  kMerged
+};
 inline constexpr int kStopCount = 6;
 const char* stop_name(Stop stop);
 
@@ -35,7 +50,7 @@ const char* event_name(Event event);
 struct LayerReport {
   PatchId patch;
   int layer = 0;
-  int front_vertices = 0;  // after the layer
+  int front_vertices = 0;        // after the layer
   int quads = 0, triangles = 0;  // made in this layer
   std::array<int, kVetoCount> vetoes{};
   std::array<int, kEventCount> events{};

@@ -25,7 +25,8 @@ struct FaceData {
   int layer = 0;  // 0: core
 };
 
-// Why a local operation was refused. Topological reasons come from mesh/, geometric ones from above.
+// Why a local operation was refused. Topological reasons come from mesh/, geometric ones from
+// above.
 enum class Veto : std::uint8_t {
   kNone,
   kBorder,         // the edge has no face on one side

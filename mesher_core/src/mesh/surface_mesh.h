@@ -1,6 +1,6 @@
 // A half-edge mesh of triangles and quads on a surface. Structure of arrays, twin = h ^ 1, typed
-// 32-bit handles, tombstones for what was removed. Topology only decides here what is legal; whether an
-// operation is geometrically sound is asked in layers/ and triangulate/.
+// 32-bit handles, tombstones for what was removed. Topology only decides here what is legal;
+// whether an operation is geometrically sound is asked in layers/ and triangulate/.
 //
 // Orientation: a face's half-edges run counter-clockwise against the outward normal. A half-edge
 // whose face is invalid bounds a hole: its `next` runs along the hole's border.
@@ -50,6 +50,7 @@ class SurfaceMesh {
   HalfedgeH rotate_ccw(HalfedgeH h) const { return twin(prev(h)); }
   HalfedgeH rotate_cw(HalfedgeH h) const { return next(twin(h)); }
   bool is_border(VertexH v) const { return is_border(outgoing(v)); }
+  bool is_triangle(HalfedgeH h) const;  // the face left of h
   int degree(FaceH f) const;
   int valence(VertexH v) const;
   HalfedgeH find_halfedge(VertexH from, VertexH to) const;  // invalid where there is none
@@ -77,7 +78,8 @@ class SurfaceMesh {
   VertexH split_face(FaceH f, const VertexData& data);
 
   //     c                c
-  //   /   \            / | \        split_edge(h): h = (a, b) becomes (a, v); (v, b) is new. Both triangles
+  //   /   \            / | \        split_edge(h): h = (a, b) becomes (a, v); (v, b) is new. Both
+  //   triangles
   //  a --- b    ->    a--v--b       beside it are halved (one on a border).
   //   \   /            \ | /
   //     d                d
@@ -92,8 +94,8 @@ class SurfaceMesh {
   Veto flip_veto(HalfedgeH h) const;
   void flip(HalfedgeH h);
 
-  //  a --h--> b: a vanishes, its other edges move to b, the triangles beside h vanish. Both triangles
-  //  beside h must be triangles; quads elsewhere about a are allowed.
+  //  a --h--> b: a vanishes, its other edges move to b, the two triangles beside h vanish; quads
+  //  elsewhere about a are allowed. A merged edge stays frozen if either was.
   Veto collapse_veto(HalfedgeH h) const;
   void collapse(HalfedgeH h);
 
@@ -104,7 +106,7 @@ class SurfaceMesh {
   //  divide(f, v): cuts a quad from v to the opposite corner; returns the new half-edge from v.
   HalfedgeH divide(FaceH quad, VertexH v);
 
-  void add_observer(MeshObserver* observer);     // not owned
+  void add_observer(MeshObserver* observer);  // not owned
   void remove_observer(MeshObserver* observer);
 
   // Drops tombstones; every handle held outside is void after it.
@@ -114,13 +116,17 @@ class SurfaceMesh {
   HalfedgeH add_edge(VertexH from, VertexH to);
   FaceH add_face();
   void link(HalfedgeH a, HalfedgeH b);
-  void set_face(HalfedgeH h, FaceH f);
+  void link_border();
+  void set_triangle(FaceH f, HalfedgeH a, HalfedgeH b, HalfedgeH c);
+  void merge_edges(HalfedgeH kept, HalfedgeH gone);
   void remove_edge(HalfedgeH h);
   void remove_face(FaceH f);
   void remove_vertex(VertexH v);
-  void prefer_border_outgoing(VertexH v);
+  void notify_vertex_created(VertexH v);
+  void notify_face_created(FaceH f);
+  void notify_face_changed(FaceH f);
 
-  std::vector<VertexH> to_;           // by half-edge; invalid: removed
+  std::vector<VertexH> to_;  // by half-edge; invalid: removed
   std::vector<HalfedgeH> next_, prev_;
   std::vector<FaceH> face_;
   std::vector<std::uint8_t> frozen_;  // by edge

@@ -19,8 +19,8 @@ class Mesher {
   Mesher(const Model& model, const Settings& settings);
   ~Mesher();
 
-  // Advances one layer of one patch (the first call also triangulates); empty when no front is left.
-  // Throws Cancelled.
+  // Advances one layer of one patch (the first call also triangulates); empty when no front is
+  // left. Throws Cancelled.
   std::optional<LayerReport> next();
 
   // May be called from any thread; takes effect within one local operation's time.

@@ -15,11 +15,11 @@ namespace advlayers {
 struct WallReport {
   EdgeId edge;
   FaceId face;
-  double first_height = 0.0;  // asked [mm]
-  double growth = 1.0;        // asked
+  double first_height = 0.0;                                           // asked [mm]
+  double growth = 1.0;                                                 // asked
   double achieved_min = 0.0, achieved_mean = 0.0, achieved_max = 0.0;  // first height [mm]
-  double achieved_growth = 0.0;  // mean over columns; 0 where no column has two layers
-  int layers = 0;                // complete layers along the whole edge
+  double achieved_growth = 0.0;      // mean over columns; 0 where no column has two layers
+  int layers = 0;                    // complete layers along the whole edge
   std::map<std::string, int> stops;  // reason -> wall vertices
 };
 
@@ -34,7 +34,8 @@ struct PatchReport {
 
 struct MeshResult {
   std::vector<Vec3> nodes;
-  std::vector<std::array<int, 4>> quads;      // zero-based, counter-clockwise against the outward normal
+  std::vector<std::array<int, 4>>
+      quads;  // zero-based, counter-clockwise against the outward normal
   std::vector<std::array<int, 3>> triangles;
   std::vector<FaceId> quad_face, triangle_face;
   std::vector<int> quad_layer, triangle_layer;  // 0: core

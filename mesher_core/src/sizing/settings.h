@@ -23,19 +23,19 @@ struct WallSpec {
 };
 
 struct Settings {
-  double size = 0.0;           // target edge length [mm]
-  double first_height = 0.0;   // [mm]
+  double size = 0.0;          // target edge length [mm]
+  double first_height = 0.0;  // [mm]
   double growth = 1.2;
   EndOfGrowth end = EndOfGrowth::kFrontsClose;
-  int layers = 0;              // for EndOfGrowth::kLayers
-  double feature_angle = 20.0;  // [deg]; 0: every CAD face is a patch of its own
+  int layers = 0;                 // for EndOfGrowth::kLayers
+  double feature_angle = 20.0;    // [deg]; 0: every CAD face is a patch of its own
   double curvature_angle = 20.0;  // [deg] an edge segment or triangle side may turn
   CoreElements core = CoreElements::kQuads;
   bool walls_all = true;
   std::vector<WallSpec> walls;
   std::vector<EdgeId> match_edges, off_edges;
-  std::vector<FaceId> faces;   // empty: all
-  int threads = 0;             // 0: as many as there are
+  std::vector<FaceId> faces;  // empty: all
+  int threads = 0;            // 0: as many as there are
 };
 
 // Throws InvalidInput naming the setting and its value.

@@ -21,7 +21,8 @@ struct Triangulation {
 };
 
 // Throws GeometryError naming the face where no valid triangulation is found.
-Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator, const Discretization& boundary,
-                          const Settings& settings, const CancelFlag& cancel);
+Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
+                          const Discretization& boundary, const Settings& settings,
+                          const CancelFlag& cancel);
 
 }  // namespace advlayers

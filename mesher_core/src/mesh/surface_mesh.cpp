@@ -1,0 +1,466 @@
+#include "mesh/surface_mesh.h"
+
+#include <string>
+#include <unordered_map>
+
+#include "base/error.h"
+
+namespace advlayers {
+
+const char* veto_name(Veto veto) {
+  static constexpr std::array<const char*, kVetoCount> kNames{
+      "none",         "border",  "frozen",         "not-triangles",  "edge-exists", "link",
+      "fixed-vertex", "inverts", "lowers-quality", "leaves-surface", "too-sharp",   "area-ratio"};
+  return kNames[static_cast<std::size_t>(veto)];
+}
+
+VertexH SurfaceMesh::add_vertex(const VertexData& data) {
+  const VertexH v(vertex_out_.size());
+  vertex_out_.emplace_back();
+  vertex_alive_.push_back(1);
+  vertex_data_.push_back(data);
+  ++live_vertices_;
+  return v;
+}
+
+HalfedgeH SurfaceMesh::add_edge(VertexH from, VertexH to) {
+  HalfedgeH h;
+  if (free_edges_.empty()) {
+    h = HalfedgeH(to_.size());
+    const std::size_t size = to_.size() + 2;
+    to_.resize(size);
+    next_.resize(size);
+    prev_.resize(size);
+    face_.resize(size);
+    frozen_.push_back(0);
+    curve_.emplace_back();
+  } else {
+    h = free_edges_.back();
+    free_edges_.pop_back();
+    frozen_[h.index() >> 1] = 0;
+    curve_[h.index() >> 1] = EdgeId();
+  }
+  to_[h.index()] = to;
+  to_[h.index() ^ 1] = from;
+  face_[h.index()] = face_[h.index() ^ 1] = FaceH();
+  ++live_edges_;
+  return h;
+}
+
+FaceH SurfaceMesh::add_face() {
+  ++live_faces_;
+  if (!free_faces_.empty()) {
+    const FaceH f = free_faces_.back();
+    free_faces_.pop_back();
+    face_data_[f.index()] = FaceData();
+    return f;
+  }
+  face_halfedge_.emplace_back();
+  face_data_.emplace_back();
+  return FaceH(face_halfedge_.size() - 1);
+}
+
+void SurfaceMesh::link(HalfedgeH a, HalfedgeH b) {
+  next_[a.index()] = b;
+  prev_[b.index()] = a;
+}
+
+void SurfaceMesh::set_triangle(FaceH f, HalfedgeH a, HalfedgeH b, HalfedgeH c) {
+  link(a, b);
+  link(b, c);
+  link(c, a);
+  face_[a.index()] = face_[b.index()] = face_[c.index()] = f;
+  face_halfedge_[f.index()] = a;
+}
+
+void SurfaceMesh::remove_edge(HalfedgeH h) {
+  const HalfedgeH first(h.value & ~1);
+  to_[first.index()] = to_[first.index() ^ 1] = VertexH();
+  free_edges_.push_back(first);
+  --live_edges_;
+}
+
+void SurfaceMesh::remove_face(FaceH f) {
+  face_halfedge_[f.index()] = HalfedgeH();
+  free_faces_.push_back(f);
+  --live_faces_;
+}
+
+void SurfaceMesh::remove_vertex(VertexH v) {
+  vertex_alive_[v.index()] = 0;
+  vertex_out_[v.index()] = HalfedgeH();
+  --live_vertices_;
+}
+
+void SurfaceMesh::build(const std::vector<std::vector<VertexH>>& faces) {
+  std::unordered_map<std::uint64_t, HalfedgeH> directed;
+  directed.reserve(4 * faces.size());
+  const auto key = [](VertexH a, VertexH b) {
+    return static_cast<std::uint64_t>(a.index()) << 32 | static_cast<std::uint64_t>(b.index());
+  };
+  for (const auto& corners : faces) {
+    const FaceH f = add_face();
+    HalfedgeH first, last;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const VertexH a = corners[k], b = corners[(k + 1) % corners.size()];
+      HalfedgeH h;
+      if (const auto found = directed.find(key(a, b)); found != directed.end()) {
+        h = found->second;
+      } else {
+        h = add_edge(a, b);
+        directed.emplace(key(a, b), h);
+        directed.emplace(key(b, a), twin(h));
+      }
+      if (face(h).valid()) throw InternalError("two faces on one side of a mesh edge");
+      face_[h.index()] = f;
+      if (last.valid()) link(last, h);
+      if (!first.valid()) first = h;
+      last = h;
+      vertex_out_[a.index()] = h;
+    }
+    link(last, first);
+    face_halfedge_[f.index()] = first;
+  }
+  link_border();
+}
+
+void SurfaceMesh::link_border() {
+  std::vector<HalfedgeH> border_out(vertex_out_.size());
+  for (std::size_t i = 0; i < to_.size(); ++i) {
+    const HalfedgeH h(i);
+    if (!alive(h) || !is_border(h)) continue;
+    if (border_out[from(h).index()].valid()) {
+      throw InternalError("the border touches itself at a mesh vertex");
+    }
+    border_out[from(h).index()] = h;
+  }
+  for (std::size_t v = 0; v < border_out.size(); ++v) {
+    const HalfedgeH h = border_out[v];
+    if (!h.valid()) continue;
+    vertex_out_[v] = h;
+    link(h, border_out[to(h).index()]);
+  }
+}
+
+int SurfaceMesh::degree(FaceH f) const {
+  int n = 0;
+  HalfedgeH h = halfedge(f);
+  do {
+    ++n;
+    h = next(h);
+  } while (h != halfedge(f));
+  return n;
+}
+
+int SurfaceMesh::valence(VertexH v) const {
+  int n = 0;
+  const HalfedgeH first = outgoing(v);
+  HalfedgeH h = first;
+  do {
+    ++n;
+    h = rotate_cw(h);
+  } while (h != first);
+  return n;
+}
+
+HalfedgeH SurfaceMesh::find_halfedge(VertexH a, VertexH b) const {
+  const HalfedgeH first = outgoing(a);
+  if (!first.valid()) return {};
+  HalfedgeH h = first;
+  do {
+    if (to(h) == b) return h;
+    h = rotate_cw(h);
+  } while (h != first);
+  return {};
+}
+
+VertexH SurfaceMesh::split_face(FaceH f, const VertexData& data) {
+  const HalfedgeH ab = halfedge(f), bc = next(ab), ca = next(bc);
+  const VertexH a = from(ab), b = to(ab), c = to(bc);
+  const VertexH v = add_vertex(data);
+  const HalfedgeH av = add_edge(a, v), bv = add_edge(b, v), cv = add_edge(c, v);
+  const FaceData face_data = face_data_[f.index()];
+  const FaceH f1 = add_face(), f2 = add_face();
+  face_data_[f1.index()] = face_data_[f2.index()] = face_data;
+  set_triangle(f, ab, bv, twin(av));
+  set_triangle(f1, bc, cv, twin(bv));
+  set_triangle(f2, ca, av, twin(cv));
+  vertex_out_[v.index()] = twin(av);
+  notify_vertex_created(v);
+  notify_face_changed(f);
+  notify_face_created(f1);
+  notify_face_created(f2);
+  return v;
+}
+
+bool SurfaceMesh::is_triangle(HalfedgeH h) const { return next(next(next(h))) == h; }
+
+Veto SurfaceMesh::split_edge_veto(HalfedgeH h) const {
+  if (frozen(h)) return Veto::kFrozen;
+  for (const HalfedgeH side : {h, twin(h)}) {
+    if (!is_border(side) && !is_triangle(side)) return Veto::kNotTriangles;
+  }
+  return Veto::kNone;
+}
+
+VertexH SurfaceMesh::split_edge(HalfedgeH h, const VertexData& data) {
+  const HalfedgeH t = twin(h);
+  const VertexH b = to(h);
+  const HalfedgeH hn = next(h), hp = prev(h), tn = next(t), tp = prev(t);
+  const VertexH v = add_vertex(data);
+  const HalfedgeH vb = add_edge(v, b);
+  to_[h.index()] = v;
+  if (outgoing(b) == t) vertex_out_[b.index()] = twin(vb);
+  std::array<FaceH, 2> made{};
+  if (!is_border(h)) {
+    const FaceH f = face(h);
+    const HalfedgeH vc = add_edge(v, to(hn));
+    made[0] = add_face();
+    face_data_[made[0].index()] = face_data_[f.index()];
+    set_triangle(f, h, vc, hp);
+    set_triangle(made[0], vb, hn, twin(vc));
+  } else {
+    link(h, vb);
+    link(vb, hn);
+  }
+  if (!is_border(t)) {
+    const FaceH f = face(t);
+    const HalfedgeH vd = add_edge(v, to(tn));
+    made[1] = add_face();
+    face_data_[made[1].index()] = face_data_[f.index()];
+    set_triangle(f, t, tn, twin(vd));
+    set_triangle(made[1], twin(vb), vd, tp);
+  } else {
+    link(tp, twin(vb));
+    link(twin(vb), t);
+  }
+  vertex_out_[v.index()] = is_border(t) ? t : vb;
+  notify_vertex_created(v);
+  for (const HalfedgeH side : {h, t}) {
+    if (!is_border(side)) notify_face_changed(face(side));
+  }
+  for (const FaceH f : made) {
+    if (f.valid()) notify_face_created(f);
+  }
+  return v;
+}
+
+Veto SurfaceMesh::flip_veto(HalfedgeH h) const {
+  if (frozen(h)) return Veto::kFrozen;
+  if (is_border(h) || is_border(twin(h))) return Veto::kBorder;
+  if (!is_triangle(h) || !is_triangle(twin(h))) return Veto::kNotTriangles;
+  if (find_halfedge(to(next(h)), to(next(twin(h)))).valid()) return Veto::kEdgeExists;
+  return Veto::kNone;
+}
+
+void SurfaceMesh::flip(HalfedgeH h) {
+  const HalfedgeH t = twin(h);
+  const HalfedgeH hn = next(h), hp = prev(h), tn = next(t), tp = prev(t);
+  const VertexH a = from(h), b = to(h), c = to(hn), d = to(tn);
+  const FaceH f = face(h), g = face(t);
+  if (outgoing(a) == h) vertex_out_[a.index()] = tn;
+  if (outgoing(b) == t) vertex_out_[b.index()] = hn;
+  to_[h.index()] = c;
+  to_[t.index()] = d;
+  set_triangle(f, h, hp, tn);
+  set_triangle(g, t, tp, hn);
+  notify_face_changed(f);
+  notify_face_changed(g);
+}
+
+Veto SurfaceMesh::collapse_veto(HalfedgeH h) const {
+  if (frozen(h)) return Veto::kFrozen;
+  const HalfedgeH t = twin(h);
+  const VertexH a = from(h), b = to(h);
+  if (is_border(a) || is_border(h) || is_border(t)) return Veto::kBorder;
+  if (!is_triangle(h) || !is_triangle(t)) return Veto::kNotTriangles;
+  const HalfedgeH hn = next(h), hp = prev(h), tn = next(t), tp = prev(t);
+  if (frozen(hn) && frozen(hp)) return Veto::kFrozen;
+  if (frozen(tn) && frozen(tp)) return Veto::kFrozen;
+  const VertexH c = to(hn), d = to(tn);
+  for (const VertexH apex : {c, d}) {
+    if (valence(apex) <= (is_border(apex) ? 2 : 3)) return Veto::kLink;
+  }
+  // No face but the two beside h may hold both ends, and they share no neighbour but c and d.
+  for (HalfedgeH o = rotate_cw(h); o != h; o = rotate_cw(o)) {
+    const VertexH w = to(o);
+    if (w != c && w != d && find_halfedge(w, b).valid()) return Veto::kLink;
+    if (!is_triangle(o) && to(next(o)) == b && o != t) return Veto::kLink;
+  }
+  return Veto::kNone;
+}
+
+void SurfaceMesh::collapse(HalfedgeH h) {
+  const HalfedgeH t = twin(h);
+  const VertexH a = from(h), b = to(h);
+  const HalfedgeH hn = next(h), hp = prev(h), tn = next(t), tp = prev(t);
+  const FaceH f = face(h), g = face(t);
+  const VertexH c = to(hn), d = to(tn);
+  HalfedgeH o = h;
+  do {
+    to_[twin(o).index()] = b;
+    o = rotate_cw(o);
+  } while (o != h);
+  // The kept edge (b, c) takes the place of (a, c) in the face beyond it; likewise (d, b).
+  merge_edges(hn, twin(hp));
+  merge_edges(tp, twin(tn));
+  if (outgoing(b) == t || outgoing(b) == twin(hp) || !alive(outgoing(b)))
+    vertex_out_[b.index()] = hn;
+  if (outgoing(c) == hp) vertex_out_[c.index()] = twin(hn);
+  if (outgoing(d) == twin(tn)) vertex_out_[d.index()] = tp;
+  remove_edge(hp);
+  remove_edge(tn);
+  remove_edge(h);
+  remove_face(f);
+  remove_face(g);
+  remove_vertex(a);
+  for (MeshObserver* observer : observers_) {
+    observer->vertex_deleted(*this, a);
+    observer->face_deleted(*this, f);
+    observer->face_deleted(*this, g);
+  }
+  if (!observers_.empty()) {
+    o = outgoing(b);
+    do {
+      if (!is_border(o)) notify_face_changed(face(o));
+      o = rotate_cw(o);
+    } while (o != outgoing(b));
+  }
+}
+
+void SurfaceMesh::merge_edges(HalfedgeH kept, HalfedgeH gone) {
+  link(prev(gone), kept);
+  link(kept, next(gone));
+  const FaceH f = face(gone);
+  face_[kept.index()] = f;
+  if (f.valid() && halfedge(f) == gone) face_halfedge_[f.index()] = kept;
+  if (frozen(gone)) set_frozen(kept, true);
+  if (curve(gone).valid()) set_curve(kept, curve(gone));
+}
+
+Veto SurfaceMesh::combine_veto(HalfedgeH h) const {
+  if (frozen(h)) return Veto::kFrozen;
+  if (is_border(h) || is_border(twin(h))) return Veto::kBorder;
+  if (!is_triangle(h) || !is_triangle(twin(h))) return Veto::kNotTriangles;
+  // A vertex with two edges would be left inside a single quad corner.
+  for (const HalfedgeH side : {h, twin(h)}) {
+    if (valence(from(side)) <= (is_border(from(side)) ? 2 : 3)) return Veto::kLink;
+  }
+  return Veto::kNone;
+}
+
+FaceH SurfaceMesh::combine(HalfedgeH h) {
+  const HalfedgeH t = twin(h);
+  const HalfedgeH hn = next(h), hp = prev(h), tn = next(t), tp = prev(t);
+  const FaceH f = face(h), g = face(t);
+  const VertexH a = from(h), b = to(h);
+  link(hp, tn);
+  link(tp, hn);
+  face_[tn.index()] = face_[tp.index()] = f;
+  face_halfedge_[f.index()] = hn;
+  if (outgoing(a) == h) vertex_out_[a.index()] = tn;
+  if (outgoing(b) == t) vertex_out_[b.index()] = hn;
+  remove_edge(h);
+  remove_face(g);
+  for (MeshObserver* observer : observers_) observer->face_deleted(*this, g);
+  notify_face_changed(f);
+  return f;
+}
+
+HalfedgeH SurfaceMesh::divide(FaceH quad, VertexH v) {
+  HalfedgeH va = halfedge(quad);
+  while (from(va) != v) va = next(va);
+  const HalfedgeH ac = next(va), cb = next(ac), bv = next(cb);
+  const VertexH c = to(ac);
+  const HalfedgeH vc = add_edge(v, c);
+  const FaceH made = add_face();
+  face_data_[made.index()] = face_data_[quad.index()];
+  set_triangle(quad, va, ac, twin(vc));
+  set_triangle(made, vc, cb, bv);
+  notify_face_changed(quad);
+  notify_face_created(made);
+  return vc;
+}
+
+void SurfaceMesh::add_observer(MeshObserver* observer) { observers_.push_back(observer); }
+
+void SurfaceMesh::remove_observer(MeshObserver* observer) {
+  for (auto it = observers_.begin(); it != observers_.end(); ++it) {
+    if (*it == observer) {
+      observers_.erase(it);
+      return;
+    }
+  }
+}
+
+void SurfaceMesh::notify_vertex_created(VertexH v) {
+  for (MeshObserver* observer : observers_) observer->vertex_created(*this, v);
+}
+void SurfaceMesh::notify_face_created(FaceH f) {
+  for (MeshObserver* observer : observers_) observer->face_created(*this, f);
+}
+void SurfaceMesh::notify_face_changed(FaceH f) {
+  for (MeshObserver* observer : observers_) observer->face_changed(*this, f);
+}
+
+namespace {
+
+// New index of each entry that stays, in order.
+template <class Handle, class Keep>
+std::vector<Handle> renumber(std::size_t size, Keep keep) {
+  std::vector<Handle> to(size);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (keep(Handle(i))) to[i] = Handle(n++);
+  }
+  return to;
+}
+
+}  // namespace
+
+void SurfaceMesh::compact() {
+  const auto vertex_to = renumber<VertexH>(vertex_out_.size(), [&](VertexH v) { return alive(v); });
+  const auto half_to = renumber<HalfedgeH>(to_.size(), [&](HalfedgeH h) { return alive(h); });
+  const auto face_to = renumber<FaceH>(face_halfedge_.size(), [&](FaceH f) { return alive(f); });
+  const auto moved = [](auto handle, const auto& map) {
+    return handle.valid() ? map[handle.index()] : handle;
+  };
+  for (std::size_t i = 0; i < half_to.size(); ++i) {
+    if (!half_to[i].valid()) continue;
+    const std::size_t k = half_to[i].index();
+    to_[k] = moved(to_[i], vertex_to);
+    next_[k] = moved(next_[i], half_to);
+    prev_[k] = moved(prev_[i], half_to);
+    face_[k] = moved(face_[i], face_to);
+    frozen_[k >> 1] = frozen_[i >> 1];
+    curve_[k >> 1] = curve_[i >> 1];
+  }
+  for (std::size_t i = 0; i < vertex_to.size(); ++i) {
+    if (!vertex_to[i].valid()) continue;
+    const std::size_t k = vertex_to[i].index();
+    vertex_out_[k] = moved(vertex_out_[i], half_to);
+    vertex_data_[k] = vertex_data_[i];
+    vertex_data_[k].parent = moved(vertex_data_[k].parent, vertex_to);
+  }
+  for (std::size_t i = 0; i < face_to.size(); ++i) {
+    if (!face_to[i].valid()) continue;
+    face_halfedge_[face_to[i].index()] = moved(face_halfedge_[i], half_to);
+    face_data_[face_to[i].index()] = face_data_[i];
+  }
+  const auto edges = static_cast<std::size_t>(live_edges_);
+  to_.resize(2 * edges);
+  next_.resize(2 * edges);
+  prev_.resize(2 * edges);
+  face_.resize(2 * edges);
+  frozen_.resize(edges);
+  curve_.resize(edges);
+  vertex_out_.resize(static_cast<std::size_t>(live_vertices_));
+  vertex_data_.resize(static_cast<std::size_t>(live_vertices_));
+  vertex_alive_.assign(static_cast<std::size_t>(live_vertices_), 1);
+  face_halfedge_.resize(static_cast<std::size_t>(live_faces_));
+  face_data_.resize(static_cast<std::size_t>(live_faces_));
+  free_edges_.clear();
+  free_faces_.clear();
+}
+
+}  // namespace advlayers
