@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "base/types.h"
 #include "geometry/model.h"
@@ -37,14 +38,25 @@ class Evaluator {
   bool project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoint& foot);
 
   // The foot of `xyz` on the trimmed face without a seed: a search over samples of the face first.
+  // Throws GeometryError for a face with a defect.
   SurfacePoint closest(FaceId face, const Vec3& xyz);
+
+  // Whether (u, v) lies on the trimmed face, by whole periods if need be. Next to the boundary,
+  // within about a thousandth of an edge's sagitta, either answer may come.
+  bool inside(FaceId face, double u, double v);
 
   Vec3 edge_point(EdgeId edge, double t);
   Vec3 edge_tangent(EdgeId edge, double t);      // dC/dt, not normalized
   double edge_curvature(EdgeId edge, double t);  // [1/mm]
-  // Length of the curve between two parameters [mm].
+  // Length of the curve between two parameters [mm]; negative where t1 < t0.
   double edge_length(EdgeId edge, double t0, double t1);
-  // (u, v) of the edge's point on the face, by the co-edge's curve in (u, v).
+  // The parameter at which that length has been walked from t0, to round-off; held in the range.
+  double edge_parameter(EdgeId edge, double t0, double length);
+  // Parameters inside the edge's range where its tangent turns at once by more than `angle` [rad].
+  std::vector<double> edge_kinks(EdgeId edge, double angle);
+  // (u, v) of the edge's point on the face, by the co-edge's curve in (u, v), or, where that curve
+  // strays from the edge in space by more than the tolerance, by projection. Continuous along a
+  // loop.
   Vec2 edge_uv(FaceId face, const CoEdge& coedge, double t);
 
  private:

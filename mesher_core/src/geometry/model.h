@@ -23,6 +23,8 @@ struct CoEdge {
   bool seam = false;        // the face uses this edge twice
   int pcurve = 0;           // which of a seam's two curves in (u, v); 0 otherwise
   bool degenerate = false;  // a pole: one point in space, a segment in (u, v)
+  Vec2 uv_shift =
+      Vec2::Zero();  // whole periods that make the face's loops meet in one (u, v) sheet
 };
 
 struct Face {
@@ -66,8 +68,9 @@ class Model {
   double diagonal() const { return diagonal_; }  // of the bounding box [mm]
   bool closed() const;                           // every edge is used by exactly two face sides
 
-  // The angle [rad] between the outward normals of the two faces at an edge, the largest of
-  // several samples; pi where the edge has not exactly two faces.
+  // The angle [rad] between the outward normals of the two face sides at an edge, the largest of
+  // several samples: 0 where they continue each other, pi where there are not exactly two. The
+  // sides of a seam are its face's own, so that a seam along a crease is told from a smooth one.
   double dihedral_angle(EdgeId e) const;
 
   struct Shape;  // holds the OpenCASCADE shape; geometry/ only

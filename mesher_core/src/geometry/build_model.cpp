@@ -1,0 +1,212 @@
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/evaluator.h"
+#include "geometry/face_loops.h"
+#include "geometry/face_surface.h"
+#include "geometry/occt_shape.h"
+
+namespace advlayers {
+
+namespace {
+
+Vertex build_vertex(const TopoDS_Shape& shape) {
+  const TopoDS_Vertex& vertex = TopoDS::Vertex(shape);
+  return {to_vec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex)};
+}
+
+VertexId find_vertex(const Model::Shape& shape, const TopoDS_Vertex& vertex) {
+  return vertex.IsNull() ? VertexId() : VertexId(shape.vertices.FindIndex(vertex) - 1);
+}
+
+// An edge without any curve, or of no finite length, keeps an empty parameter range.
+Edge build_edge(const Model::Shape& shape, EdgeId id) {
+  const TopoDS_Edge edge = TopoDS::Edge(shape.edge(id).Oriented(TopAbs_FORWARD));
+  Edge out;
+  out.start = find_vertex(shape, TopExp::FirstVertex(edge));
+  out.end = find_vertex(shape, TopExp::LastVertex(edge));
+  out.tolerance = BRep_Tool::Tolerance(edge);
+  out.degenerate = BRep_Tool::Degenerated(edge);
+  BRep_Tool::Range(edge, out.first, out.last);
+  if (out.degenerate) return out;
+  try {
+    const BRepAdaptor_Curve curve(edge);
+    out.first = curve.FirstParameter();
+    out.last = curve.LastParameter();
+    const bool finite = !Precision::IsInfinite(out.first) && !Precision::IsInfinite(out.last);
+    if (finite) out.length = GCPnts_AbscissaPoint::Length(curve);
+    if (!finite || !std::isfinite(out.length)) out.last = out.first;
+  } catch (const Standard_Failure&) {
+    out.last = out.first;
+  }
+  // Some writers give a pole a curve of no length instead of flagging it.
+  const bool closed = out.start.valid() && out.start == out.end;
+  if (closed && out.last > out.first && out.length <= out.tolerance) out.degenerate = true;
+  return out;
+}
+
+SurfaceKind kind_of(GeomAbs_SurfaceType type) {
+  switch (type) {
+    case GeomAbs_Plane:
+      return SurfaceKind::kPlane;
+    case GeomAbs_Cylinder:
+      return SurfaceKind::kCylinder;
+    case GeomAbs_Cone:
+      return SurfaceKind::kCone;
+    case GeomAbs_Sphere:
+      return SurfaceKind::kSphere;
+    case GeomAbs_Torus:
+      return SurfaceKind::kTorus;
+    default:
+      return SurfaceKind::kOther;
+  }
+}
+
+// Kind, orientation, closed directions and bounds; false with a defect where there are none.
+bool describe_surface(const TopoDS_Face& shape_face, Face& face) {
+  gp_Trsf location;
+  bool located = false;
+  const GeomAdaptor_Surface surface = basis_surface(shape_face, location, located);
+  face.kind = kind_of(surface.GetType());
+  face.tolerance = BRep_Tool::Tolerance(shape_face);
+  // A mirrored location turns Su x Sv over, but not the outside of the solid.
+  const bool mirrored = located && location.VectorialPart().Determinant() < 0.0;
+  face.reversed = (shape_face.Orientation() == TopAbs_REVERSED) != mirrored;
+  if (surface.IsUPeriodic()) {
+    face.u_period = surface.UPeriod();
+  } else if (surface.IsUClosed()) {
+    face.u_period = surface.LastUParameter() - surface.FirstUParameter();
+  }
+  if (surface.IsVPeriodic()) {
+    face.v_period = surface.VPeriod();
+  } else if (surface.IsVClosed()) {
+    face.v_period = surface.LastVParameter() - surface.FirstVParameter();
+  }
+  BRepTools::UVBounds(shape_face, face.u_min, face.u_max, face.v_min, face.v_max);
+  for (const double x : {face.u_min, face.u_max, face.v_min, face.v_max}) {
+    if (std::isfinite(x) && !Precision::IsInfinite(x)) continue;
+    face.defect = "it has no finite bounds";
+    return false;
+  }
+  if (face.u_max > face.u_min && face.v_max > face.v_min) return true;
+  face.defect = "it has no area";
+  return false;
+}
+
+void measure_area(const TopoDS_Face& shape_face, Face& face) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape_face, properties);
+  face.area = std::abs(properties.Mass());
+  const bool any = std::isfinite(face.area) && face.area > 0.0;
+  if (!any && face.defect.empty()) face.defect = "it has no area";
+}
+
+Face build_face(const Model::Shape& shape, FaceId id, const std::vector<Edge>& edges,
+                std::vector<Pcurve>& pcurves) {
+  const TopoDS_Face& shape_face = shape.face(id);
+  Face face;
+  try {
+    if (describe_surface(shape_face, face)) {
+      build_loops(shape_face, shape, edges, face, pcurves);
+      if (face.defect.empty()) measure_area(shape_face, face);
+    }
+  } catch (const GeometryError& error) {
+    face.defect = error.what();
+  } catch (const Standard_Failure& failure) {
+    face.defect = std::string("OpenCASCADE failed on it: ") + failure.DynamicType()->Name();
+  }
+  if (!face.defect.empty()) face.loops.clear();
+  return face;
+}
+
+double box_diagonal(const TopoDS_Shape& root) {
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(root, box, Standard_False, Standard_False);
+  return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+}
+
+struct EdgeUse {
+  FaceId face;
+  CoEdge coedge;
+};
+
+double largest_turn(Evaluator& evaluator, EdgeId id, const EdgeUse& a, const EdgeUse& b) {
+  const Edge& edge = evaluator.model().edge(id);
+  double worst = 0.0;
+  constexpr int kSamples = 9;
+  for (int k = 0; k < kSamples; ++k) {
+    // Away from the ends, where other edges' blends and poles speak.
+    const double t = edge.first + (edge.last - edge.first) * (0.02 + 0.96 * k / (kSamples - 1));
+    const Vec2 p = evaluator.edge_uv(a.face, a.coedge, t);
+    const Vec2 q = evaluator.edge_uv(b.face, b.coedge, t);
+    const Vec3 m = evaluator.frame(a.face, p.x(), p.y()).normal;
+    const Vec3 n = evaluator.frame(b.face, q.x(), q.y()).normal;
+    worst = std::max(worst, std::atan2(m.cross(n).norm(), m.dot(n)));
+  }
+  return worst;
+}
+
+std::vector<double> measure_dihedrals(const Model& model) {
+  std::vector<std::vector<EdgeUse>> uses(model.edges().size());
+  for (std::size_t f = 0; f < model.faces().size(); ++f) {
+    for (const auto& loop : model.faces()[f].loops) {
+      for (const CoEdge& c : loop) uses[c.edge.index()].push_back({FaceId(f), c});
+    }
+  }
+  std::vector<double> angles(model.edges().size(), M_PI);
+  Evaluator evaluator(model);
+  for (std::size_t e = 0; e < uses.size(); ++e) {
+    if (model.edges()[e].degenerate) {
+      angles[e] = 0.0;  // a pole parts nothing
+    } else if (uses[e].size() == 2) {
+      angles[e] = largest_turn(evaluator, EdgeId(e), uses[e][0], uses[e][1]);
+    }
+  }
+  return angles;
+}
+
+}  // namespace
+
+Model build_model(std::unique_ptr<Model::Shape> shape) {
+  return translated("shape", [&] {
+    Model model;
+    TopExp::MapShapes(shape->root, TopAbs_FACE, shape->faces);
+    TopExp::MapShapes(shape->root, TopAbs_EDGE, shape->edges);
+    TopExp::MapShapes(shape->root, TopAbs_VERTEX, shape->vertices);
+    if (shape->faces.IsEmpty()) throw GeometryError("the shape holds no face");
+    for (int i = 1; i <= shape->vertices.Extent(); ++i) {
+      model.vertices_.push_back(build_vertex(shape->vertices(i)));
+    }
+    for (int i = 0; i < shape->edges.Extent(); ++i) {
+      model.edges_.push_back(build_edge(*shape, EdgeId(i)));
+    }
+    shape->pcurves.resize(static_cast<std::size_t>(shape->faces.Extent()));
+    for (int i = 0; i < shape->faces.Extent(); ++i) {
+      const FaceId id(i);
+      model.faces_.push_back(build_face(*shape, id, model.edges_, shape->pcurves[id.index()]));
+      for (const auto& loop : model.faces_.back().loops) {
+        for (const CoEdge& coedge : loop) {
+          std::vector<FaceId>& users = model.edges_[coedge.edge.index()].faces;
+          if (users.empty() || users.back() != id) users.push_back(id);
+        }
+      }
+    }
+    model.diagonal_ = box_diagonal(shape->root);
+    model.shape_ = std::move(shape);
+    model.shape_->dihedral = measure_dihedrals(model);
+    return model;
+  });
+}
+
+}  // namespace advlayers

@@ -1,0 +1,59 @@
+// The surface of one face: evaluation and the foot of a point. For the sources of geometry/ alone.
+#pragma once
+
+#include <GeomAdaptor_Surface.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Trsf.hxx>
+
+#include "geometry/evaluator.h"
+#include "geometry/model.h"
+
+namespace advlayers {
+
+// The surface below any trimming; location is null where the face has none.
+// Throws GeometryError if the face has no surface.
+GeomAdaptor_Surface basis_surface(const TopoDS_Face& face, gp_Trsf& location, bool& located);
+
+struct SurfaceDerivatives {
+  Vec3 xyz, du, dv, duu, dvv, duv;
+};
+
+class FaceSurface {
+ public:
+  FaceSurface(const TopoDS_Face& shape, const Face& face);
+
+  Vec3 value(double u, double v) const;
+  void first(double u, double v, Vec3& xyz, Vec3& du, Vec3& dv) const;
+  SurfaceDerivatives second(double u, double v) const;
+  SurfaceFrame frame(double u, double v) const;
+  double max_curvature(double u, double v) const;
+
+  // The foot near (u, v), which become its parameters. False: no stationary point was reached; the
+  // nearest point seen is returned then.
+  bool project(const Vec3& point, double& u, double& v, Vec3& foot) const;
+
+ private:
+  bool is_elementary() const { return face_->kind != SurfaceKind::kOther; }
+  void wrap(double& u, double& v) const;
+  void step_inside(double& u, double& v, double fraction, bool along_u, bool along_v) const;
+  bool spans_plane(const Vec3& du, const Vec3& dv) const;
+  void project_elementary(const Vec3& point, double& u, double& v, Vec3& foot) const;
+  bool newton(const Vec3& point, double& u, double& v, Vec3& foot) const;
+  bool backtrack(const Vec3& point, double du, double dv, double& u, double& v,
+                 SurfaceDerivatives& s, double& distance2) const;
+  bool descends(const Vec3& point, double u, double v, double distance) const;
+  void clamp(double& u, double& v) const;
+  bool newton_step(const Vec3& point, double u, double v, const SurfaceDerivatives& s, double& du,
+                   double& dv) const;
+
+  const Face* face_;
+  gp_Trsf location_, inverse_;
+  bool located_ = false;
+  GeomAdaptor_Surface surface_;           // after the location, which its making sets
+  double scale_ = 1.0;                    // of the location
+  double u_lo_, u_hi_, v_lo_, v_hi_;      // natural bounds
+  double speed_u_ = 0.0, speed_v_ = 0.0;  // typical |Su|, |Sv| over the face
+  double size_ = 0.0;                     // of the face, about [mm]
+};
+
+}  // namespace advlayers
