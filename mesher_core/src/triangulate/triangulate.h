@@ -16,11 +16,27 @@ namespace advlayers {
 struct Triangulation {
   // All triangles, layer 0. Every border edge is frozen and names its CAD edge. A boundary node
   // where the border touches itself becomes one vertex per touching run, with the same NodeId.
+  // Seams and smooth edges between the patch's faces leave no trace. A tip that is sharp (a cone's
+  // apex) is a fixed vertex inside the patch, with Support::kVertex.
   SurfaceMesh mesh;
   std::vector<Diagnostic> diagnostics;
 };
 
-// Throws GeometryError naming the face where no valid triangulation is found.
+// The mesh edges on these CAD edges are too long for the shape between them: they cross each other,
+// or leave a part of the boundary on the wrong side. Cut finer, they may do.
+class BoundaryTooCoarse : public GeometryError {
+ public:
+  BoundaryTooCoarse(const std::string& what, std::vector<EdgeId> coarse_edges)
+      : GeometryError(what), edges_(std::move(coarse_edges)) {}
+  // Sorted, each once.
+  const std::vector<EdgeId>& edges() const { return edges_; }
+
+ private:
+  std::vector<EdgeId> edges_;
+};
+
+// Throws BoundaryTooCoarse naming face and edges, and GeometryError naming the face where no valid
+// triangulation is found for another reason.
 Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
                           const Discretization& boundary, const Settings& settings,
                           const CancelFlag& cancel);

@@ -1,0 +1,324 @@
+#include "triangulate/fill_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "base/predicates.h"
+
+namespace advlayers {
+namespace {
+
+using Side = PlanarTriangulation::Side;
+
+constexpr double kDegree = M_PI / 180;
+// A triangle is done once its circumradius is at most this much of the equilateral one's.
+constexpr double kRadiusLimit = 1.3;
+// No point nearer to another than this share of the size wanted there.
+constexpr double kClosest = 0.65;
+constexpr double kClosestToBorder = 0.4;
+// An edge whose length at the mean of its ends' metrics and at its middle's differ by this share is
+// too long for either to be trusted.
+constexpr double kMetricMismatch = 0.35;
+constexpr double kLongestTurn = 70 * kDegree;  // of the normal along an edge, before all else
+// Aimed at here; the bound after improvement in space is 30 degrees.
+constexpr double kDeviation = 25 * kDegree;
+constexpr double kSmallestSplit = 0.05;  // share of the local size that refinement stops at
+constexpr int kWalkLimit = 200;
+
+double local_size(const LiftedTriangulation& sheet, Side s) {
+  return (sheet.vertex(sheet.mesh().from(s)).size + sheet.vertex(sheet.mesh().to(s)).size) / 2;
+}
+
+// --- edges too long to be measured ---
+
+bool spans_too_much(LiftedTriangulation& sheet, Side s) {
+  const int a = sheet.mesh().from(s), b = sheet.mesh().to(s);
+  const LiftedVertex &va = sheet.vertex(a), &vb = sheet.vertex(b);
+  const Vec2 &pa = sheet.mesh().point(a), &pb = sheet.mesh().point(b);
+  const LiftedVertex middle = sheet.evaluate((pa + pb) / 2);
+  const double by_ends = std::sqrt(sheet.squared_length(a, b));
+  const double by_middle = std::sqrt(middle.metric.squared(pb - pa));
+  if (std::max(by_ends, by_middle) < kSmallestSplit * local_size(sheet, s)) return false;
+  const double turn = std::min({va.normal.dot(vb.normal), va.normal.dot(middle.normal),
+                                vb.normal.dot(middle.normal)});
+  if (turn < std::cos(kLongestTurn)) return true;
+  return std::max(by_ends, by_middle) > local_size(sheet, s) &&
+         std::abs(by_ends - by_middle) > kMetricMismatch * std::max(by_ends, by_middle);
+}
+
+// Halves such edges. The work is bounded by the halvings that the smallest split allows; each edge is looked
+// at again only after it changed.
+void split_wide_edges(LiftedTriangulation& sheet, const CancelFlag& cancel) {
+  std::vector<int> pending;
+  for (int t = 0; t < sheet.mesh().triangle_count(); ++t) pending.push_back(t);
+  while (!pending.empty()) {
+    cancel.check();
+    const int t = pending.back();
+    pending.pop_back();
+    for (int i = 0; i < 3; ++i) {
+      const Side s{t, i};
+      if (sheet.mesh().segment(s) >= 0 || !spans_too_much(sheet, s)) continue;
+      const Vec2 middle =
+          (sheet.mesh().point(sheet.mesh().from(s)) + sheet.mesh().point(sheet.mesh().to(s))) / 2;
+      if (sheet.insert_on(s, middle) < 0) continue;
+      pending.insert(pending.end(), sheet.touched().begin(), sheet.touched().end());
+      pending.push_back(t);
+      break;
+    }
+  }
+}
+
+// --- frontal insertion ---
+
+class FrontalInsertion {
+ public:
+  FrontalInsertion(LiftedTriangulation& sheet, const CancelFlag& cancel)
+      : sheet_(sheet), cancel_(cancel) {}
+
+  void run() {
+    for (int t = 0; t < mesh().triangle_count(); ++t) assess(t);
+    for (int t = 0; t < mesh().triangle_count(); ++t) push_if_active(t);
+    while (!queue_.empty()) {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      if (entry.version != sheet_.version(entry.t) || state(entry.t) <= kRadiusLimit) continue;
+      cancel_.check();
+      if (!insert_for(entry.t)) {
+        settle(entry.t);
+      }
+    }
+  }
+
+ private:
+  struct Entry {
+    double radius;
+    int t;
+    unsigned version;
+    bool operator<(const Entry& o) const {
+      return radius != o.radius ? radius < o.radius : t > o.t;
+    }
+  };
+
+  const PlanarTriangulation& mesh() const { return sheet_.mesh(); }
+  double& state(int t) { return radius_[static_cast<std::size_t>(t)]; }
+
+  // Circumradius over that of the equilateral triangle of the wanted size.
+  double relative_radius(int t) const {
+    const auto& v = mesh().triangle(t).v;
+    const double a = sheet_.squared_length(v[1], v[2]), b = sheet_.squared_length(v[2], v[0]),
+                 c = sheet_.squared_length(v[0], v[1]);
+    const double sixteen_area2 = 2 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
+    const double size = (sheet_.vertex(v[0]).size + sheet_.vertex(v[1]).size +
+                         sheet_.vertex(v[2]).size) / 3;
+    if (sixteen_area2 <= 0) return std::numeric_limits<double>::infinity();
+    return std::sqrt(3 * a * b * c / sixteen_area2) / size;
+  }
+
+  // Triangles at a pole that vanish in space are done from the outset.
+  bool vanishes(int t) const {
+    for (int i = 0; i < 3; ++i) {
+      const int segment = mesh().segment({t, i});
+      if (segment >= 0 && sheet_.sheet().segments[static_cast<std::size_t>(segment)].pole) return true;
+    }
+    return false;
+  }
+
+  void assess(int t) {
+    if (static_cast<std::size_t>(t) >= radius_.size()) {
+      radius_.resize(static_cast<std::size_t>(t) + 1, 0.0);
+    }
+    state(t) = vanishes(t) ? 0.0 : relative_radius(t);
+  }
+
+  bool is_open(Side s) {
+    const int n = mesh().triangle(s.t).n[s.i];
+    return n < 0 || mesh().segment(s) >= 0 || state(n) <= kRadiusLimit;
+  }
+
+  void push_if_active(int t) {
+    if (state(t) <= kRadiusLimit) return;
+    for (int i = 0; i < 3; ++i) {
+      if (is_open({t, i})) {
+        queue_.push({state(t), t, sheet_.version(t)});
+        return;
+      }
+    }
+  }
+
+  // Nothing more can be done for t; its neighbours may start from it.
+  void settle(int t) {
+    state(t) = 0.0;
+    for (const int n : mesh().triangle(t).n) {
+      if (n >= 0) push_if_active(n);
+    }
+  }
+
+  bool insert_for(int t) {
+    std::array<Side, 3> sides{Side{t, 0}, Side{t, 1}, Side{t, 2}};
+    std::array<double, 3> length{};
+    for (int i = 0; i < 3; ++i) {
+      length[i] = sheet_.squared_length(mesh().from(sides[i]), mesh().to(sides[i]));
+    }
+    std::sort(sides.begin(), sides.end(), [&](Side a, Side b) {
+      return length[a.i] != length[b.i] ? length[a.i] < length[b.i] : a.i < b.i;
+    });
+    for (const Side s : sides) {
+      if (is_open(s) && insert_above(s)) return true;
+    }
+    return false;
+  }
+
+  // Where the apex of the best triangle on s lies: on the perpendicular bisector, at most as
+  // far as the circumcenter.
+  Vec2 ideal_apex(Side s) const {
+    const int a = mesh().from(s), b = mesh().to(s), c = mesh().apex(s);
+    const Metric m = (sheet_.vertex(a).metric + sheet_.vertex(b).metric) * 0.5;
+    const Vec2 d = mesh().point(b) - mesh().point(a);
+    const Vec2 middle = (mesh().point(a) + mesh().point(b)) / 2;
+    const double length2 = m.squared(d), half = std::sqrt(length2) / 2;
+    const double ab = sheet_.squared_length(a, b), bc = sheet_.squared_length(b, c),
+                 ca = sheet_.squared_length(c, a);
+    const double sixteen_area2 = 2 * (ab * bc + bc * ca + ca * ab) - (ab * ab + bc * bc + ca * ca);
+    double radius = std::max(local_size(sheet_, s) / std::sqrt(3.0), half);
+    if (sixteen_area2 > 0) {
+      // Distance of the circumcenter from the edge; negative: behind it.
+      const double q = (bc + ca - ab) / std::sqrt(sixteen_area2) * std::sqrt(ab) / 2;
+      if (q > 0) radius = std::min(radius, (half * half + q * q) / (2 * q));
+    }
+    const double height = radius + std::sqrt(std::max(0.0, radius * radius - half * half));
+    const double area = std::sqrt(std::max(m.determinant(), 1e-300));
+    const Vec2 across(-(m.f * d.x() + m.g * d.y()) / area, (m.e * d.x() + m.f * d.y()) / area);
+    return middle + across * (height / std::sqrt(length2));
+  }
+
+  // The triangle that holds p, reached from t without crossing a boundary; -1 where there is none.
+  int walk(int t, const Vec2& p) const {
+    int from = -1;
+    for (int step = 0; step < kWalkLimit; ++step) {
+      int next = -1;
+      bool outside = false;
+      for (int i = 0; i < 3; ++i) {
+        const Side s{t, i};
+        if (mesh().triangle(t).n[i] == from && from >= 0) continue;
+        if (orient2d(mesh().point(mesh().from(s)), mesh().point(mesh().to(s)), p) >= 0) continue;
+        outside = true;
+        if (mesh().segment(s) < 0) next = mesh().triangle(t).n[i];
+      }
+      if (!outside) return t;
+      if (next < 0) return -1;
+      from = t;
+      t = next;
+    }
+    return -1;
+  }
+
+  bool crowds(int t, const Vec2& p, const LiftedVertex& candidate) const {
+    const auto& v = mesh().triangle(t).v;
+    double size = std::numeric_limits<double>::infinity();
+    std::array<double, 3> distance{};
+    for (int i = 0; i < 3; ++i) {
+      const LiftedVertex& corner = sheet_.vertex(v[i]);
+      const Vec2 d = p - mesh().point(v[i]);
+      distance[i] = std::sqrt((corner.metric + candidate.metric).squared(d) / 2);
+      size = std::min(size, corner.size + kGradation * distance[i]);
+    }
+    if (*std::min_element(distance.begin(), distance.end()) < kClosest * size) return true;
+    for (int i = 0; i < 3; ++i) {
+      const Side s{t, i};
+      if (mesh().segment(s) < 0) continue;
+      const Vec2 d = mesh().point(mesh().to(s)) - mesh().point(mesh().from(s));
+      const Vec2 w = p - mesh().point(mesh().from(s));
+      const double length2 = candidate.metric.squared(d);
+      const double cross = d.x() * w.y() - d.y() * w.x();
+      const double height2 = cross * cross * candidate.metric.determinant() / length2;
+      if (height2 < kClosestToBorder * kClosestToBorder * size * size) return true;
+    }
+    return false;
+  }
+
+  bool insert_above(Side s) {
+    const Vec2 p = ideal_apex(s);
+    const int t = walk(s.t, p);
+    if (t < 0 || crowds(t, p, sheet_.evaluate(p))) return false;
+    if (sheet_.insert_in(t, p) < 0) return false;
+    for (const int touched : sheet_.touched()) assess(touched);
+    for (const int touched : sheet_.touched()) {
+      push_if_active(touched);
+      if (state(touched) > kRadiusLimit) continue;
+      for (const int n : mesh().triangle(touched).n) {
+        if (n >= 0) push_if_active(n);
+      }
+    }
+    return true;
+  }
+
+  LiftedTriangulation& sheet_;
+  const CancelFlag& cancel_;
+  std::priority_queue<Entry> queue_;
+  std::vector<double> radius_;
+};
+
+// --- triangles that leave the surface ---
+
+double worst_deviation_cosine(LiftedTriangulation& sheet, int t) {
+  const auto& v = sheet.mesh().triangle(t).v;
+  const LiftedVertex &a = sheet.vertex(v[0]), &b = sheet.vertex(v[1]), &c = sheet.vertex(v[2]);
+  const Vec3 cross = (b.point.xyz - a.point.xyz).cross(c.point.xyz - a.point.xyz);
+  const double area = cross.norm();
+  if (area == 0) return 1;
+  double worst = 1;
+  for (const LiftedVertex* corner : {&a, &b, &c}) {
+    if (!corner->pole) worst = std::min(worst, cross.dot(corner->normal) / area);
+  }
+  const Vec2 center =
+      (sheet.mesh().point(v[0]) + sheet.mesh().point(v[1]) + sheet.mesh().point(v[2])) / 3;
+  return std::min(worst, cross.dot(sheet.evaluate(center).normal) / area);
+}
+
+// The free edge along which the normal turns most, if it is long enough to be divided.
+Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
+  Side best;
+  double best_turn = std::cos(5 * kDegree);
+  for (int i = 0; i < 3; ++i) {
+    const Side s{t, i};
+    if (sheet.mesh().segment(s) >= 0) continue;
+    const int a = sheet.mesh().from(s), b = sheet.mesh().to(s);
+    const double limit = 2 * kSmallestSplit * local_size(sheet, s);
+    const double turn = sheet.vertex(a).normal.dot(sheet.vertex(b).normal);
+    if (turn >= best_turn || sheet.squared_length(a, b) < limit * limit) continue;
+    best_turn = turn;
+    best = s;
+  }
+  return best;
+}
+
+void refine_deviating(LiftedTriangulation& sheet, const CancelFlag& cancel) {
+  std::vector<int> pending;
+  for (int t = 0; t < sheet.mesh().triangle_count(); ++t) pending.push_back(t);
+  while (!pending.empty()) {
+    cancel.check();
+    const int t = pending.back();
+    pending.pop_back();
+    if (worst_deviation_cosine(sheet, t) > std::cos(kDeviation)) continue;
+    const Side s = edge_to_divide(sheet, t);
+    if (s.t < 0) continue;
+    const Vec2 middle =
+        (sheet.mesh().point(sheet.mesh().from(s)) + sheet.mesh().point(sheet.mesh().to(s))) / 2;
+    if (sheet.insert_on(s, middle) < 0) continue;
+    pending.insert(pending.end(), sheet.touched().begin(), sheet.touched().end());
+  }
+}
+
+}  // namespace
+
+void fill_sheet(LiftedTriangulation& sheet, const CancelFlag& cancel) {
+  sheet.flip_all();
+  split_wide_edges(sheet, cancel);
+  FrontalInsertion(sheet, cancel).run();
+  refine_deviating(sheet, cancel);
+}
+
+}  // namespace advlayers

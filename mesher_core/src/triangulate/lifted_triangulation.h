@@ -1,0 +1,86 @@
+// The triangulation of one face in its sheet, with its points evaluated on the surface. Lengths and
+// angles are those of the first fundamental form; orientation is that of the sheet, exact, so that
+// the triangulation stays valid however coarse it is on the surface.
+#pragma once
+
+#include <vector>
+
+#include "triangulate/face_sheet.h"
+#include "triangulate/planar_triangulation.h"
+#include "triangulate/target_size.h"
+
+namespace advlayers {
+
+// First fundamental form per unit of the sheet.
+struct Metric {
+  double e = 0, f = 0, g = 0;
+
+  double squared(const Vec2& d) const {
+    return e * d.x() * d.x() + 2 * f * d.x() * d.y() + g * d.y() * d.y();
+  }
+  double dot(const Vec2& a, const Vec2& b) const {
+    return e * a.x() * b.x() + f * (a.x() * b.y() + a.y() * b.x()) + g * a.y() * b.y();
+  }
+  double determinant() const { return e * g - f * f; }
+  Metric operator+(const Metric& o) const { return {e + o.e, f + o.f, g + o.g}; }
+  Metric operator*(double s) const { return {s * e, s * f, s * g}; }
+};
+
+struct LiftedVertex {
+  SurfacePoint point;
+  Vec3 normal;
+  Metric metric;
+  double size = 0;  // wanted edge length [mm], graded
+  NodeId node;      // on the face's boundary
+  bool pole = false;
+};
+
+class LiftedTriangulation {
+ public:
+  using Side = PlanarTriangulation::Side;
+
+  // `mesh` triangulates the sheet's points (and may hold more points, in no triangle); a segment mark in
+  // it is an index into sheet.segments.
+  LiftedTriangulation(FaceSheet sheet, PlanarTriangulation mesh, Evaluator& evaluator,
+                      TargetSize target);
+
+  const FaceSheet& sheet() const { return sheet_; }
+  const PlanarTriangulation& mesh() const { return mesh_; }
+  const LiftedVertex& vertex(int v) const { return vertices_[static_cast<std::size_t>(v)]; }
+  // Raised whenever a triangle changes.
+  unsigned version(int t) const { return versions_[static_cast<std::size_t>(t)]; }
+  const std::vector<int>& touched() const { return touched_; }  // by the last insertion
+
+  double squared_length(int a, int b) const {
+    return (vertex(a).metric + vertex(b).metric).squared(mesh_.point(b) - mesh_.point(a)) / 2;
+  }
+
+  LiftedVertex evaluate(const Vec2& p);
+
+  // Inserts a point inside triangle t, or on side s, and flips edges until the triangulation is Delaunay in the
+  // surface's metric about it. Returns the vertex, or -1, and changes nothing, where rounding
+  // leaves no room for the point.
+  int insert_in(int t, const Vec2& p);
+  int insert_on(Side s, const Vec2& p);
+
+  // Flips every edge that is not Delaunay in the metric.
+  void flip_all();
+
+ private:
+  int add_vertex(const Vec2& p, std::initializer_list<int> near);
+  void settle(int v);
+  void touch(int t);
+  bool wants_flip(Side s) const;
+  void set_boundary_sizes(const TargetSize& target);
+
+  FaceSheet sheet_;
+  PlanarTriangulation mesh_;
+  Evaluator* evaluator_;
+  TargetSize target_;
+  std::vector<LiftedVertex> vertices_;
+  std::vector<unsigned> versions_;
+  std::vector<int> touched_;
+  std::vector<Side> pending_;
+};
+
+}  // namespace advlayers

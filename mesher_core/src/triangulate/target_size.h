@@ -1,0 +1,26 @@
+// The edge length wanted at a point of the surface, before any gradation.
+#pragma once
+
+#include "geometry/evaluator.h"
+#include "sizing/settings.h"
+
+namespace advlayers {
+
+// Change of the wanted length per length [1].
+inline constexpr double kGradation = 0.35;
+
+class TargetSize {
+ public:
+  TargetSize(Evaluator& evaluator, const Settings& settings);
+
+  // min(size, chord that turns by curvature_angle at the largest curvature) [mm]; never less than a fixed
+  // share of `size`, so that tips and creases of no radius do not ask for endless refinement.
+  double at(const SurfacePoint& p);
+
+ private:
+  Evaluator* evaluator_;
+  double size_;
+  double chord_of_unit_radius_;
+};
+
+}  // namespace advlayers
