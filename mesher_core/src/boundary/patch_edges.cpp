@@ -24,7 +24,8 @@ bool is_slit(Evaluator& evaluator, EdgeId id, const Use& a, const Use& b) {
   const Edge& edge = evaluator.model().edge(id);
   const Face& face = evaluator.model().face(a.face);
   const double t = (edge.first + edge.last) / 2;
-  const Vec2 apart = evaluator.edge_uv(a.face, *a.coedge, t) - evaluator.edge_uv(b.face, *b.coedge, t);
+  const Vec2 apart =
+      evaluator.edge_uv(a.face, *a.coedge, t) - evaluator.edge_uv(b.face, *b.coedge, t);
   return std::abs(apart.x()) < kSamePlace * (face.u_max - face.u_min) &&
          std::abs(apart.y()) < kSamePlace * (face.v_max - face.v_min);
 }
@@ -39,7 +40,8 @@ double crease_angle(Evaluator& evaluator, EdgeId id, const Use& a, const Use& b)
     const Vec2 uv_b = evaluator.edge_uv(b.face, *b.coedge, t);
     const Vec3 normal_a = evaluator.frame(a.face, uv_a.x(), uv_a.y()).normal;
     const Vec3 normal_b = evaluator.frame(b.face, uv_b.x(), uv_b.y()).normal;
-    largest = std::max(largest, std::atan2(normal_a.cross(normal_b).norm(), normal_a.dot(normal_b)));
+    largest =
+        std::max(largest, std::atan2(normal_a.cross(normal_b).norm(), normal_a.dot(normal_b)));
   }
   return largest;
 }

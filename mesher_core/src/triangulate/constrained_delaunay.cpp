@@ -237,11 +237,6 @@ ConstrainedDelaunay::Conflict ConstrainedDelaunay::constrain(int a, int b, int m
   return conflict;
 }
 
-int ConstrainedDelaunay::mark(Side s) const {
-  const int segment = mesh_.segment(s);
-  return segment < 0 ? -1 : constraints_[static_cast<std::size_t>(segment)].mark;
-}
-
 ConstrainedDelaunay::Windings ConstrainedDelaunay::carve() {
   constexpr int kUnknown = std::numeric_limits<int>::min();
   std::vector<int> winding(mesh_.triangles().size(), kUnknown);
@@ -270,6 +265,14 @@ ConstrainedDelaunay::Windings ConstrainedDelaunay::carve() {
   std::vector<char> kept(mesh_.triangles().size());
   for (std::size_t t = 0; t < kept.size(); ++t) kept[t] = winding[t] > 0;
   mesh_.keep(kept);
+  for (int t = 0; t < mesh_.triangle_count(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const int segment = mesh_.segment({t, i});
+      const int other = mesh_.triangle(t).n[i];
+      if (segment < 0 || (other >= 0 && other < t)) continue;
+      mesh_.set_segment({t, i}, constraints_[static_cast<std::size_t>(segment)].mark);
+    }
+  }
   return range;
 }
 

@@ -37,14 +37,12 @@ class ConstrainedDelaunay {
   };
   // Removes all triangles about which the segments do not wind counter-clockwise, and the box.
   // Proper loops wind 0 or 1 times about every triangle; `Windings` tells if they did. A segment
-  // used once in each direction (a slit) keeps both its sides.
+  // used once in each direction (a slit) keeps both its sides. Afterwards the mesh's segments are
+  // the caller's marks; nothing may be constrained any more.
   Windings carve();
 
   const PlanarTriangulation& mesh() const { return mesh_; }
   PlanarTriangulation release() { return std::move(mesh_); }
-
-  // After carve(): the mark of the segment a side belongs to, -1 where it is free.
-  int mark(PlanarTriangulation::Side s) const;
 
  private:
   using Side = PlanarTriangulation::Side;

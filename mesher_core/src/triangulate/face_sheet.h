@@ -1,5 +1,5 @@
-// One face laid out in the plane: its boundary, as discretized, in (u, v) scaled so that lengths are
-// roughly those in space [mm], mirrored where needed so that counter-clockwise in the sheet is
+// One face laid out in the plane: its boundary, as discretized, in (u, v) scaled so that lengths
+// are roughly those in space [mm], mirrored where needed so that counter-clockwise in the sheet is
 // counter-clockwise against the outward normal.
 #pragma once
 
@@ -29,7 +29,8 @@ struct FaceSheet {
   Vec2 from_uv(const Vec2& uv) const { return uv.cwiseProduct(scale); }
 };
 
-// `inner` holds the sorted edges inside the patch. Throws GeometryError naming the face where it has a defect.
+// `inner` holds the sorted edges inside the patch. Throws GeometryError naming the face where it
+// has a defect.
 FaceSheet lay_out_face(Evaluator& evaluator, const Discretization& boundary, FaceId face,
                        const std::vector<EdgeId>& inner);
 

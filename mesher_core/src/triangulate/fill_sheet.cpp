@@ -42,15 +42,15 @@ bool spans_too_much(LiftedTriangulation& sheet, Side s) {
   const double by_ends = std::sqrt(sheet.squared_length(a, b));
   const double by_middle = std::sqrt(middle.metric.squared(pb - pa));
   if (std::max(by_ends, by_middle) < kSmallestSplit * local_size(sheet, s)) return false;
-  const double turn = std::min({va.normal.dot(vb.normal), va.normal.dot(middle.normal),
-                                vb.normal.dot(middle.normal)});
+  const double turn = std::min(
+      {va.normal.dot(vb.normal), va.normal.dot(middle.normal), vb.normal.dot(middle.normal)});
   if (turn < std::cos(kLongestTurn)) return true;
   return std::max(by_ends, by_middle) > local_size(sheet, s) &&
          std::abs(by_ends - by_middle) > kMetricMismatch * std::max(by_ends, by_middle);
 }
 
-// Halves such edges. The work is bounded by the halvings that the smallest split allows; each edge is looked
-// at again only after it changed.
+// Halves such edges. The work is bounded by the halvings that the smallest split allows; each edge
+// is looked at again only after it changed.
 void split_wide_edges(LiftedTriangulation& sheet, const CancelFlag& cancel) {
   std::vector<int> pending;
   for (int t = 0; t < sheet.mesh().triangle_count(); ++t) pending.push_back(t);
@@ -111,8 +111,8 @@ class FrontalInsertion {
     const double a = sheet_.squared_length(v[1], v[2]), b = sheet_.squared_length(v[2], v[0]),
                  c = sheet_.squared_length(v[0], v[1]);
     const double sixteen_area2 = 2 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
-    const double size = (sheet_.vertex(v[0]).size + sheet_.vertex(v[1]).size +
-                         sheet_.vertex(v[2]).size) / 3;
+    const double size =
+        (sheet_.vertex(v[0]).size + sheet_.vertex(v[1]).size + sheet_.vertex(v[2]).size) / 3;
     if (sixteen_area2 <= 0) return std::numeric_limits<double>::infinity();
     return std::sqrt(3 * a * b * c / sixteen_area2) / size;
   }
@@ -121,7 +121,8 @@ class FrontalInsertion {
   bool vanishes(int t) const {
     for (int i = 0; i < 3; ++i) {
       const int segment = mesh().segment({t, i});
-      if (segment >= 0 && sheet_.sheet().segments[static_cast<std::size_t>(segment)].pole) return true;
+      if (segment >= 0 && sheet_.sheet().segments[static_cast<std::size_t>(segment)].pole)
+        return true;
     }
     return false;
   }

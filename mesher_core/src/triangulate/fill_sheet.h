@@ -6,8 +6,8 @@
 
 namespace advlayers {
 
-// Before: a triangulation of the boundary points. After: nearly isotropic in the surface's metric, at
-// the graded sizes, and near enough to the surface that every triangle faces outwards in space,
+// Before: a triangulation of the boundary points. After: nearly isotropic in the surface's metric,
+// at the graded sizes, and near enough to the surface that every triangle faces outwards in space,
 // as far as the boundary leaves room. The boundary stays as it is.
 // Frontal insertion after Rebay, Efficient unstructured mesh generation by means of Delaunay
 // triangulation and Bowyer-Watson algorithm (1993), with flips instead of cavities.

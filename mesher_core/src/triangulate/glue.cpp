@@ -123,8 +123,7 @@ class Gluer {
     });
     if (!waiting.empty()) {
       throw GeometryError(edge_name(std::get<0>(waiting.begin()->first)) +
-                          " joins no two sides of " +
-                          face_name(sheets_.front().sheet().face));
+                          " joins no two sides of " + face_name(sheets_.front().sheet().face));
     }
   }
 
@@ -203,7 +202,8 @@ class Gluer {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
         if (vanishes(s, t)) continue;
         std::vector<VertexH> corners(3);
-        for (int i = 0; i < 3; ++i) corners[static_cast<std::size_t>(i)] = vertex_of_corner(s, t, i);
+        for (int i = 0; i < 3; ++i)
+          corners[static_cast<std::size_t>(i)] = vertex_of_corner(s, t, i);
         for (int i = 0; i < 3; ++i) {
           const SheetSide side{s, {t, i}};
           if (!is_border(side)) continue;
@@ -274,8 +274,8 @@ class Gluer {
     });
   }
 
-  // Poles have the mean normal of their surroundings; where these lean apart, the pole is a tip that no
-  // smoothing may cut off.
+  // Poles have the mean normal of their surroundings; where these lean apart, the pole is a tip
+  // that no smoothing may cut off.
   void set_tips(GluedMesh& glued, const std::vector<Vec3>& normals, const std::vector<int>& uses) {
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {

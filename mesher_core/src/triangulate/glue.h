@@ -15,8 +15,8 @@ struct GluedMesh {
 
 // Joins the faces along seams and smooth edges, and closes poles. Border edges are frozen and name
 // their CAD edge. Where the result would be no manifold (a face closed in a direction with
-// too few triangles around it), edges of the sheets are divided first. Throws BoundaryTooCoarse where boundary
-// edges alone are the reason.
+// too few triangles around it), edges of the sheets are divided first. Throws BoundaryTooCoarse
+// where boundary edges alone are the reason.
 GluedMesh glue_sheets(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary);
 
 }  // namespace advlayers

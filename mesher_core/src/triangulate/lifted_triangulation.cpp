@@ -9,8 +9,8 @@
 namespace advlayers {
 namespace {
 
-// Sine by which two opposite angles must exceed pi together before their edge is flipped: metrics differ from
-// point to point, so that flips without a margin could go round in circles.
+// Sine by which two opposite angles must exceed pi together before their edge is flipped: metrics
+// differ from point to point, so that flips without a margin could go round in circles.
 constexpr double kFlipMargin = 1e-3;
 constexpr std::size_t kFlipLimit = 500;  // after one insertion
 
@@ -141,7 +141,8 @@ void LiftedTriangulation::settle(int v) {
 bool LiftedTriangulation::wants_flip(Side s) const {
   const Side o = mesh_.opposite(s);
   const int a = mesh_.from(s), b = mesh_.to(s), c = mesh_.apex(s), d = mesh_.apex(o);
-  const Metric m = (vertex(a).metric + vertex(b).metric + vertex(c).metric + vertex(d).metric) * 0.25;
+  const Metric m =
+      (vertex(a).metric + vertex(b).metric + vertex(c).metric + vertex(d).metric) * 0.25;
   const Vec2 ca = mesh_.point(a) - mesh_.point(c), cb = mesh_.point(b) - mesh_.point(c);
   const Vec2 da = mesh_.point(a) - mesh_.point(d), db = mesh_.point(b) - mesh_.point(d);
   const double area = std::sqrt(std::max(0.0, m.determinant()));

@@ -39,8 +39,8 @@ class LiftedTriangulation {
  public:
   using Side = PlanarTriangulation::Side;
 
-  // `mesh` triangulates the sheet's points (and may hold more points, in no triangle); a segment mark in
-  // it is an index into sheet.segments.
+  // `mesh` triangulates the sheet's points (and may hold more points, in no triangle); a segment
+  // mark in it is an index into sheet.segments.
   LiftedTriangulation(FaceSheet sheet, PlanarTriangulation mesh, Evaluator& evaluator,
                       TargetSize target);
 
@@ -57,9 +57,9 @@ class LiftedTriangulation {
 
   LiftedVertex evaluate(const Vec2& p);
 
-  // Inserts a point inside triangle t, or on side s, and flips edges until the triangulation is Delaunay in the
-  // surface's metric about it. Returns the vertex, or -1, and changes nothing, where rounding
-  // leaves no room for the point.
+  // Inserts a point inside triangle t, or on side s, and flips edges until the triangulation is
+  // Delaunay in the surface's metric about it. Returns the vertex, or -1, and changes nothing,
+  // where rounding leaves no room for the point.
   int insert_in(int t, const Vec2& p);
   int insert_on(Side s, const Vec2& p);
 

@@ -13,8 +13,8 @@ class TargetSize {
  public:
   TargetSize(Evaluator& evaluator, const Settings& settings);
 
-  // min(size, chord that turns by curvature_angle at the largest curvature) [mm]; never less than a fixed
-  // share of `size`, so that tips and creases of no radius do not ask for endless refinement.
+  // min(size, chord that turns by curvature_angle at the largest curvature) [mm]; never less than a
+  // fixed share of `size`, so that tips and creases of no radius do not ask for endless refinement.
   double at(const SurfacePoint& p);
 
  private:

@@ -190,7 +190,7 @@ TEST(ConstrainedDelaunay, KeepsBothSidesOfASlit) {
   const auto slit = cdt.mesh().find_side(4, 5);
   ASSERT_GE(slit.t, 0);
   EXPECT_GE(cdt.mesh().opposite(slit).t, 0);
-  EXPECT_EQ(cdt.mark(slit), 4);
+  EXPECT_EQ(cdt.mesh().segment(slit), 4);
   EXPECT_NEAR(area(cdt.mesh()), 16, 1e-12);
 }
 

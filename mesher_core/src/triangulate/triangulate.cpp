@@ -1,0 +1,130 @@
+#include "triangulate/triangulate.h"
+
+#include <algorithm>
+#include <string>
+
+#include "boundary/patch_edges.h"
+#include "triangulate/constrained_delaunay.h"
+#include "triangulate/fill_sheet.h"
+#include "triangulate/glue.h"
+
+namespace advlayers {
+namespace {
+
+using Side = PlanarTriangulation::Side;
+
+void sort_unique(std::vector<EdgeId>& edges) {
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+std::string names(const std::vector<EdgeId>& edges) {
+  std::string text;
+  for (const EdgeId e : edges) text += (text.empty() ? "" : ", ") + edge_name(e);
+  return text;
+}
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double length2 = d.squaredNorm();
+  const double s = length2 > 0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - s * d).norm();
+}
+
+// The boundary of one face as a triangulation without interior points.
+class BoundaryTriangulation {
+ public:
+  BoundaryTriangulation(const FaceSheet& sheet, const CancelFlag& cancel)
+      : sheet_(sheet), delaunay_(sheet.points, cancel) {}
+
+  PlanarTriangulation run() {
+    for (std::size_t i = 0; i < sheet_.segments.size(); ++i) constrain(static_cast<int>(i));
+    if (!coarse_.empty()) throw too_coarse("cross or touch each other");
+    const auto windings = delaunay_.carve();
+    find_segments_facing_away();
+    if (!coarse_.empty()) throw too_coarse("leave boundary on the wrong side");
+    if (windings.lowest < 0 || windings.highest != 1) {
+      throw GeometryError(face_name(sheet_.face) + ": its boundary does not enclose a region");
+    }
+    return delaunay_.release();
+  }
+
+ private:
+  const SheetSegment& segment(int i) const { return sheet_.segments[static_cast<std::size_t>(i)]; }
+  const Vec2& point(int p) const { return sheet_.points[static_cast<std::size_t>(p)]; }
+
+  void constrain(int i) {
+    const SheetSegment& s = segment(i);
+    const int a = delaunay_.vertex(s.from), b = delaunay_.vertex(s.to);
+    // Two nodes in one place: the edge has no extent here, or another one passes through its node.
+    if (a != s.from || b != s.to) {
+      coarse_.push_back(s.edge);
+      return;
+    }
+    const auto conflict = delaunay_.constrain(a, b, i);
+    if (conflict.crossed >= 0)
+      coarse_.insert(coarse_.end(), {s.edge, segment(conflict.crossed).edge});
+    if (conflict.overlaps >= 0 && segment(conflict.overlaps).edge != s.edge) {
+      coarse_.insert(coarse_.end(), {s.edge, segment(conflict.overlaps).edge});
+    }
+    if (conflict.through >= 0) {
+      coarse_.push_back(s.edge);
+      for (const SheetSegment& other : sheet_.segments) {
+        if (other.from == conflict.through) coarse_.push_back(other.edge);
+      }
+    }
+  }
+
+  // After carving every segment has the face on its left. One that has not lies beyond another
+  // segment that cuts a curve short.
+  void find_segments_facing_away() {
+    for (const SheetSegment& s : sheet_.segments) {
+      if (delaunay_.mesh().find_side(s.from, s.to).t >= 0) continue;
+      coarse_.push_back(s.edge);
+      const Vec2 middle = (point(s.from) + point(s.to)) / 2;
+      const SheetSegment* nearest = nullptr;
+      double least = 0;
+      for (const SheetSegment& other : sheet_.segments) {
+        if (other.edge == s.edge) continue;
+        const double d = distance_to_segment(middle, point(other.from), point(other.to));
+        if (nearest != nullptr && d >= least) continue;
+        nearest = &other;
+        least = d;
+      }
+      if (nearest != nullptr) coarse_.push_back(nearest->edge);
+    }
+  }
+
+  BoundaryTooCoarse too_coarse(const std::string& what) {
+    sort_unique(coarse_);
+    return BoundaryTooCoarse(
+        face_name(sheet_.face) + ": mesh edges of " + names(coarse_) + " " + what, coarse_);
+  }
+
+  const FaceSheet& sheet_;
+  ConstrainedDelaunay delaunay_;
+  std::vector<EdgeId> coarse_;
+};
+
+}  // namespace
+
+Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
+                          const Discretization& boundary, const Settings& settings,
+                          const CancelFlag& cancel) {
+  const std::vector<EdgeId> inner = inner_edges(evaluator, surface.faces(), settings.feature_angle);
+  std::vector<LiftedTriangulation> sheets;
+  for (const FaceId face : surface.faces()) {
+    FaceSheet sheet = lay_out_face(evaluator, boundary, face, inner);
+    PlanarTriangulation planar = BoundaryTriangulation(sheet, cancel).run();
+    sheets.emplace_back(std::move(sheet), std::move(planar), evaluator,
+                        TargetSize(evaluator, settings));
+    fill_sheet(sheets.back(), cancel);
+  }
+  GluedMesh glued = glue_sheets(sheets, boundary);
+  sheets.clear();
+  Triangulation result;
+  result.mesh = std::move(glued.mesh);
+  return result;
+}
+
+}  // namespace advlayers
