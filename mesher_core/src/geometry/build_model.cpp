@@ -4,7 +4,6 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
@@ -12,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/edge_curve.h"
 #include "geometry/evaluator.h"
 #include "geometry/face_loops.h"
 #include "geometry/face_surface.h"
@@ -45,7 +45,8 @@ Edge build_edge(const Model::Shape& shape, EdgeId id) {
     out.first = curve.FirstParameter();
     out.last = curve.LastParameter();
     const bool finite = !Precision::IsInfinite(out.first) && !Precision::IsInfinite(out.last);
-    if (finite) out.length = GCPnts_AbscissaPoint::Length(curve);
+    // GCPnts_AbscissaPoint is off by 1e-3 on a rational B-spline circle.
+    if (finite) out.length = EdgeCurve(edge, out, Vec3::Zero()).length_at(out.last);
     if (!finite || !std::isfinite(out.length)) out.last = out.first;
   } catch (const Standard_Failure&) {
     out.last = out.first;

@@ -59,14 +59,14 @@ double EdgeCurve::gauss(double a, double b) const {
   return half * sum;
 }
 
-void EdgeCurve::refine(double a, double b, double whole, int depth) {
+void EdgeCurve::refine(double a, double b, double whole, double floor, int depth) {
   const double mid = 0.5 * (a + b);
   const double left = gauss(a, mid), right = gauss(mid, b);
   const double error = std::abs(left + right - whole);
   if (error > kLengthError * (left + right) && depth < kMaxDepth && mid > a && mid < b &&
-      error > kLengthError * 1e-3 * edge_->length) {
-    refine(a, mid, left, depth + 1);
-    refine(mid, b, right, depth + 1);
+      error > floor) {
+    refine(a, mid, left, floor, depth + 1);
+    refine(mid, b, right, floor, depth + 1);
     return;
   }
   params_.push_back(mid);
@@ -90,8 +90,12 @@ void EdgeCurve::build_table() {
   lengths_ = {0.0};
   if (edge_->degenerate) return;
   const std::vector<double> knots = breaks(GeomAbs_CN);
+  double total = 0.0;
+  for (std::size_t i = 1; i < knots.size(); ++i) total += gauss(knots[i - 1], knots[i]);
+  const double floor = 1e-3 * kLengthError * total;
   for (std::size_t i = 1; i < knots.size(); ++i) {
-    if (knots[i] > knots[i - 1]) refine(knots[i - 1], knots[i], gauss(knots[i - 1], knots[i]), 0);
+    if (!(knots[i] > knots[i - 1])) continue;
+    refine(knots[i - 1], knots[i], gauss(knots[i - 1], knots[i]), floor, 0);
   }
 }
 

@@ -25,7 +25,7 @@ class EdgeCurve {
   double speed(double t) const { return tangent(t).norm(); }
   double gauss(double a, double b) const;
   void build_table();
-  void refine(double a, double b, double whole, int depth);
+  void refine(double a, double b, double whole, double floor, int depth);
   std::vector<double> breaks(GeomAbs_Shape continuity) const;
 
   const Edge* edge_;

@@ -8,6 +8,7 @@
 #include "geometry/face_domain.h"
 #include "geometry/face_samples.h"
 #include "geometry/face_surface.h"
+#include "geometry/geodesic_walk.h"
 #include "geometry/occt_shape.h"
 
 namespace advlayers {
@@ -114,6 +115,16 @@ SurfacePoint Evaluator::closest(FaceId face, const Vec3& xyz) {
 
 bool Evaluator::inside(FaceId face, double u, double v) {
   return translated("face", [&] { return impl_->domain(face).contains({u, v}); });
+}
+
+bool Evaluator::walk(const SurfacePoint& from, double length, Vec3& heading, SurfacePoint& to) {
+  return translated("surface", [&] {
+    GeodesicWalk walk(impl_->surface(from.face), impl_->model->face(from.face).kind, from, heading);
+    const bool arrived = walk.advance(length);
+    to = walk.point();
+    heading = walk.heading();
+    return arrived;
+  });
 }
 
 Vec3 Evaluator::edge_point(EdgeId edge, double t) {

@@ -45,6 +45,11 @@ class Evaluator {
   // within about a thousandth of an edge's sagitta, either answer may come.
   bool inside(FaceId face, double u, double v);
 
+  // Walks `length` [mm] from `from` along the face's untrimmed surface, as straight as it allows;
+  // `heading`, a unit tangent, is that at the end afterwards. The arc walked is `length` to 1e-6
+  // relative. Returns false, with `to` and `heading` void, where the surface ends before.
+  bool walk(const SurfacePoint& from, double length, Vec3& heading, SurfacePoint& to);
+
   Vec3 edge_point(EdgeId edge, double t);
   Vec3 edge_tangent(EdgeId edge, double t);      // dC/dt, not normalized
   double edge_curvature(EdgeId edge, double t);  // [1/mm]

@@ -16,6 +16,8 @@ constexpr int kMaxIterations = 40;
 // Below this part of the typical |Su| a direction is rounding noise: the surface is collapsed
 // there.
 constexpr double kCollapsed = 1e-8;
+// Below this part the parameter plane is too stretched to steer in.
+constexpr double kRegular = 1e-3;
 // A Newton step shorter than this part of the face's size squares to nothing: it is the last one.
 constexpr double kLastStep = 1e-8;
 constexpr double kNoise = 1e-7;
@@ -112,6 +114,20 @@ bool FaceSurface::spans_plane(const Vec3& du, const Vec3& dv) const {
          du.cross(dv).norm() > kCollapsed * a * b;
 }
 
+bool FaceSurface::regular(const Vec3& du, const Vec3& dv) const {
+  const double a = du.norm(), b = dv.norm();
+  return a > kRegular * speed_u_ && b > kRegular * speed_v_ &&
+         du.cross(dv).norm() > kRegular * a * b;
+}
+
+bool FaceSurface::in_bounds(double u, double v) const {
+  const auto within = [](double x, double lo, double hi, double period) {
+    const double slack = 1e-9 * (hi - lo);
+    return period > 0.0 || (x >= lo - slack && x <= hi + slack);
+  };
+  return within(u, u_lo_, u_hi_, face_->u_period) && within(v, v_lo_, v_hi_, face_->v_period);
+}
+
 void FaceSurface::step_inside(double& u, double& v, double fraction, bool along_u,
                               bool along_v) const {
   const double u_mid = 0.5 * (face_->u_min + face_->u_max);
@@ -174,7 +190,10 @@ bool FaceSurface::project(const Vec3& point, double& u, double& v, Vec3& foot) c
     return true;
   }
   const double u_seed = u, v_seed = v;
-  if (newton(point, u, v, foot)) return true;
+  if (newton(point, u, v, foot)) {
+    cross_pole(point, u, v, foot);
+    return true;
+  }
   // A seed on a pole, or beyond a fold: start again from places around it.
   const double u_span = face_->u_max - face_->u_min, v_span = face_->v_max - face_->v_min;
   for (const double reach : {0.02, 0.1}) {
@@ -192,6 +211,37 @@ bool FaceSurface::project(const Vec3& point, double& u, double& v, Vec3& foot) c
     }
   }
   return false;
+}
+
+// At a pole every direction leads on, but Newton knows only the one it came by: the foot of a point
+// beyond the pole is sought from around it.
+void FaceSurface::cross_pole(const Vec3& point, double& u, double& v, Vec3& foot) const {
+  if (u != u_lo_ && u != u_hi_ && v != v_lo_ && v != v_hi_) return;
+  Vec3 xyz, du, dv;
+  first(u, v, xyz, du, dv);
+  const bool u_gone = du.norm() <= kCollapsed * speed_u_,
+             v_gone = dv.norm() <= kCollapsed * speed_v_;
+  if (u_gone == v_gone) return;
+  const double distance = (point - foot).norm();
+  constexpr int kAround = 16;
+  double best = std::numeric_limits<double>::infinity(), u_best = u, v_best = v;
+  for (int k = 0; k < kAround; ++k) {
+    const double part = static_cast<double>(k) / kAround;
+    double uk = u_gone ? face_->u_min + part * (face_->u_max - face_->u_min) : u;
+    double vk = v_gone ? face_->v_min + part * (face_->v_max - face_->v_min) : v;
+    const double reach = std::clamp(distance / size_, 1e-4, 0.1);
+    step_inside(uk, vk, reach, v_gone, u_gone);
+    const double d = (value(uk, vk) - point).norm();
+    if (d >= best) continue;
+    best = d;
+    u_best = uk;
+    v_best = vk;
+  }
+  Vec3 other;
+  if (!newton(point, u_best, v_best, other) || (other - point).norm() >= distance) return;
+  u = nearest_period(u_best, u, face_->u_period);
+  v = nearest_period(v_best, v, face_->v_period);
+  foot = other;
 }
 
 void FaceSurface::project_elementary(const Vec3& point, double& u, double& v, Vec3& foot) const {

@@ -28,6 +28,12 @@ class FaceSurface {
   SurfaceFrame frame(double u, double v) const;
   double max_curvature(double u, double v) const;
 
+  // Whether (u, v) lies where the surface exists, not just in its continuation.
+  bool in_bounds(double u, double v) const;
+  // Whether the derivatives span a plane well enough to move in (u, v) by them.
+  bool regular(const Vec3& du, const Vec3& dv) const;
+  double size() const { return size_; }
+
   // The foot near (u, v), which become its parameters. False: no stationary point was reached; the
   // nearest point seen is returned then.
   bool project(const Vec3& point, double& u, double& v, Vec3& foot) const;
@@ -38,6 +44,7 @@ class FaceSurface {
   void step_inside(double& u, double& v, double fraction, bool along_u, bool along_v) const;
   bool spans_plane(const Vec3& du, const Vec3& dv) const;
   void project_elementary(const Vec3& point, double& u, double& v, Vec3& foot) const;
+  void cross_pole(const Vec3& point, double& u, double& v, Vec3& foot) const;
   bool newton(const Vec3& point, double& u, double& v, Vec3& foot) const;
   bool backtrack(const Vec3& point, double du, double dv, double& u, double& v,
                  SurfaceDerivatives& s, double& distance2) const;

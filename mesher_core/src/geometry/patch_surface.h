@@ -25,13 +25,6 @@ class PatchSurface {
   bool step(const SurfacePoint& from, const Vec3& direction, double length, SurfacePoint& to);
 
  private:
-  bool land(const SurfacePoint& from, const SurfaceFrame& frame, const Vec3& direction,
-            double length, SurfacePoint& to);
-  double arc_length(const SurfacePoint& a, const SurfacePoint& b, double turn);
-  bool substep(const SurfacePoint& at, const SurfaceFrame& frame, const Vec3& heading,
-               double stride, bool exact, SurfacePoint& next, SurfaceFrame& next_frame,
-               double& walked);
-
   Evaluator* evaluator_;
   std::vector<FaceId> faces_;
 };
