@@ -23,9 +23,9 @@ enum class Step : std::uint8_t {
   kExtrude,
   kRecover,
   kImprove,
-  kCollapse,
   kCombine,
   kSmooth,
+  kCollapse,
   kGrow
 };
 const char* step_name(Step step);
@@ -43,9 +43,16 @@ inline constexpr int kStopCount = 6;
 const char* stop_name(Stop stop);
 
 // Why the front lost edges; each names the triangles it cost.
-enum class Event : std::uint8_t { kCollapse, kRowEnd, kCloseTriangle, kCloseMidpoint, kCollision };
+enum class Event : std::uint8_t { kCollapse, kRowEnd, kCloseTriangle, kZip, kFan };
 inline constexpr int kEventCount = 5;
 const char* event_name(Event event);
+
+// The end of one wall vertex's column.
+struct StopRecord {
+  VertexH root;  // the wall vertex
+  Stop reason = Stop::kBlocked;
+  int layer = 0;  // the layer that was not made
+};
 
 struct LayerReport {
   PatchId patch;
@@ -62,7 +69,7 @@ class PatchLayers {
   // Called after each step of a layer; the mesh is valid then. For tests and previews.
   using StepHook = std::function<void(Step, const SurfaceMesh&)>;
 
-  PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, WallPlan plan);
+  PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan);
   ~PatchLayers();
 
   // Advances one layer. Returns false, and changes nothing, once no front is left.
@@ -71,6 +78,7 @@ class PatchLayers {
 
   void set_step_hook(StepHook hook);
   const std::vector<Diagnostic>& diagnostics() const;
+  const std::vector<StopRecord>& stops() const;
 
   struct Impl;
 

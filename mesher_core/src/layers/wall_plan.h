@@ -22,6 +22,7 @@ struct WallPlan {
   // of thousands of faces would cost gigabytes.
   std::unordered_map<EdgeId, EdgePlan> edges;
   bool stop_at_isotropy = false;
+  double max_height = std::numeric_limits<double>::infinity();  // no layer is higher [mm]
 };
 
 }  // namespace advlayers

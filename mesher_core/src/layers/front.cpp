@@ -1,0 +1,132 @@
+#include "layers/front.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace advlayers {
+namespace {
+
+// The inner half-edge after `inner` along the patch's boundary, the core on its left.
+HalfedgeH next_along_border(const SurfaceMesh& mesh, HalfedgeH inner) {
+  return SurfaceMesh::twin(mesh.prev(SurfaceMesh::twin(inner)));
+}
+
+const EdgePlan* wall_of(const SurfaceMesh& mesh, HalfedgeH inner, const WallPlan& plan) {
+  const auto found = plan.edges.find(mesh.curve(inner));
+  if (found == plan.edges.end() || found->second.condition != EdgeCondition::kWall) return nullptr;
+  return &found->second;
+}
+
+}  // namespace
+
+Front::Front(const SurfaceMesh& mesh, const WallPlan& plan) {
+  std::vector<int> node_of(mesh.vertex_capacity(), -1);
+  const auto node_at = [&](VertexH v, const EdgePlan& wall) {
+    int& i = node_of[v.index()];
+    if (i < 0) {
+      i = size();
+      FrontNode node;
+      node.vertex = node.root = v;
+      node.height = wall.first_height;
+      node.growth = wall.growth;
+      node.layers_left = wall.layers;
+      nodes_.push_back(node);
+    } else {  // between two walls: the mean height, the fewer layers
+      FrontNode& node = nodes_[static_cast<std::size_t>(i)];
+      node.height = 0.5 * (node.height + wall.first_height);
+      node.growth = 0.5 * (node.growth + wall.growth);
+      node.layers_left = std::min(node.layers_left, wall.layers);
+    }
+    return i;
+  };
+  std::vector<std::uint8_t> seen(mesh.halfedge_capacity(), 0);
+  for (std::size_t k = 0; k < mesh.halfedge_capacity(); ++k) {
+    const HalfedgeH first(k);
+    if (!mesh.alive(first) || mesh.is_border(first) || seen[k] != 0) continue;
+    if (!mesh.is_border(SurfaceMesh::twin(first))) continue;
+    HalfedgeH h = first;
+    do {
+      seen[h.index()] = 1;
+      if (const EdgePlan* wall = wall_of(mesh, h, plan)) {
+        const int a = node_at(mesh.from(h), *wall), b = node_at(mesh.to(h), *wall);
+        nodes_[static_cast<std::size_t>(a)].next = b;
+        nodes_[static_cast<std::size_t>(b)].prev = a;
+      } else {
+        idle_edges_.push_back(h);
+      }
+      h = next_along_border(mesh, h);
+    } while (h != first);
+  }
+}
+
+int Front::active_count() const {
+  return static_cast<int>(
+      std::count_if(nodes_.begin(), nodes_.end(), [](const FrontNode& n) { return n.active; }));
+}
+
+void Front::stop(int i, const SurfaceMesh& mesh) {
+  FrontNode& node = (*this)[i];
+  if (!node.active) return;
+  node.active = false;
+  for (const auto& [a, b] : {std::pair{node.prev, i}, std::pair{i, node.next}}) {
+    if (a < 0 || b < 0) continue;
+    const HalfedgeH h = mesh.find_halfedge((*this)[a].vertex, (*this)[b].vertex);
+    if (h.valid()) idle_edges_.push_back(h);
+    (*this)[a].next = -1;
+    (*this)[b].prev = -1;
+  }
+}
+
+void Front::bridge(int before, int after) {
+  for (int i = (*this)[before].next; i >= 0 && i != after;) {
+    FrontNode& node = (*this)[i];
+    i = node.next;
+    node.active = false;
+    node.prev = node.next = -1;
+  }
+  (*this)[before].next = after;
+  (*this)[after].prev = before;
+}
+
+int Front::ring_size(int i) const {
+  int n = 0;
+  int k = i;
+  do {
+    ++n;
+    k = (*this)[k].next;
+  } while (k >= 0 && k != i);
+  return k < 0 ? -1 : n;
+}
+
+Vec3 rotated(const Vec3& direction, const Vec3& normal, double angle) {
+  return std::cos(angle) * direction + std::sin(angle) * normal.cross(direction);
+}
+
+NodeShape node_shape(const SurfaceMesh& mesh, const Front& front, int i) {
+  const FrontNode& node = front[i];
+  NodeShape shape;
+  shape.normal = mesh.data(node.vertex).normal;
+  const Vec3& p = mesh.position(node.vertex);
+  const auto towards = [&](int k, double& length) -> Vec3 {
+    const Vec3 chord = mesh.position(front[k].vertex) - p;
+    length = chord.norm();
+    return (chord - chord.dot(shape.normal) * shape.normal).normalized();
+  };
+  if (node.next >= 0) shape.to_next = towards(node.next, shape.length_next);
+  if (node.prev >= 0) shape.to_prev = towards(node.prev, shape.length_prev);
+  if (node.next < 0) {
+    shape.to_next = -shape.to_prev;
+    shape.length_next = shape.length_prev;
+  }
+  if (node.prev < 0) {
+    shape.to_prev = -shape.to_next;
+    shape.length_prev = shape.length_next;
+  }
+  shape.angle = turn_angle(shape.to_next, shape.to_prev, shape.normal);
+  // A needle's two sides may look like a full turn; a front edge that returns on itself is concave
+  // 0.
+  shape.inward = rotated(shape.to_next, shape.normal, 0.5 * shape.angle);
+  return shape;
+}
+
+}  // namespace advlayers

@@ -1,0 +1,96 @@
+#include "layers/front_index.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+namespace advlayers {
+namespace {
+
+namespace bg = boost::geometry;
+using BoostPoint = bg::model::point<double, 3, bg::cs::cartesian>;
+using BoostBox = bg::model::box<BoostPoint>;
+
+BoostBox box_of(const Vec3& a, const Vec3& b) {
+  const Vec3 low = a.cwiseMin(b), high = a.cwiseMax(b);
+  return {BoostPoint(low.x(), low.y(), low.z()), BoostPoint(high.x(), high.y(), high.z())};
+}
+
+Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 ab = b - a;
+  const double length2 = ab.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+  return a + t * ab;
+}
+
+constexpr double kAheadCosine = 0.5;     // 60 degrees
+constexpr double kSameSideCosine = 0.3;  // a thin shell's other side does not count
+
+}  // namespace
+
+struct FrontIndex::Tree {
+  struct Edge {
+    VertexH from, to;
+    bool advancing;
+  };
+  std::vector<Edge> edges;
+  bg::index::rtree<std::pair<BoostBox, std::size_t>, bg::index::linear<16>> boxes;
+};
+
+FrontIndex::FrontIndex(const SurfaceMesh& mesh, const Front& front)
+    : mesh_(&mesh), front_(&front), tree_(std::make_unique<Tree>()) {
+  for (const FrontNode& node : front.nodes()) {
+    if (node.next >= 0) tree_->edges.push_back({node.vertex, front[node.next].vertex, true});
+  }
+  for (const HalfedgeH h : front.idle_edges()) {
+    tree_->edges.push_back({mesh.from(h), mesh.to(h), false});
+  }
+  std::vector<std::pair<BoostBox, std::size_t>> boxes;
+  boxes.reserve(tree_->edges.size());
+  for (std::size_t i = 0; i < tree_->edges.size(); ++i) {
+    const Tree::Edge& edge = tree_->edges[i];
+    boxes.emplace_back(box_of(mesh.position(edge.from), mesh.position(edge.to)), i);
+  }
+  tree_->boxes = decltype(tree_->boxes)(boxes.begin(), boxes.end());  // packed
+}
+
+FrontIndex::~FrontIndex() = default;
+
+bool FrontIndex::nearest_ahead(int node, const NodeShape& shape, double reach, Hit& hit) const {
+  std::array<VertexH, 5> near{};
+  near[0] = (*front_)[node].vertex;
+  int ahead = node, behind = node;
+  for (std::size_t k = 1; k < near.size(); k += 2) {
+    ahead = ahead < 0 ? -1 : (*front_)[ahead].next;
+    behind = behind < 0 ? -1 : (*front_)[behind].prev;
+    if (ahead >= 0) near[k] = (*front_)[ahead].vertex;
+    if (behind >= 0) near[k + 1] = (*front_)[behind].vertex;
+  }
+  const auto joined = [&](VertexH v) {
+    return std::find(near.begin(), near.end(), v) != near.end();
+  };
+  const Vec3& p = mesh_->position(near[0]);
+  const Vec3 spread = Vec3::Constant(reach);
+  hit.distance = reach;
+  bool found = false;
+  const auto visit = [&](const std::pair<BoostBox, std::size_t>& entry) {
+    const Tree::Edge& edge = tree_->edges[entry.second];
+    if (joined(edge.from) || joined(edge.to)) return;
+    const Vec3 to = closest_on_segment(mesh_->position(edge.from), mesh_->position(edge.to), p) - p;
+    const double distance = to.norm();
+    if (distance >= hit.distance || to.dot(shape.inward) < kAheadCosine * distance) return;
+    if (mesh_->data(edge.from).normal.dot(shape.normal) < kSameSideCosine) return;
+    hit = {distance, edge.from, edge.to, edge.advancing};
+    found = true;
+  };
+  const BoostBox window = box_of(p - spread, p + spread);
+  for (auto it = tree_->boxes.qbegin(bg::index::intersects(window)); it != tree_->boxes.qend();
+       ++it) {
+    visit(*it);
+  }
+  return found;
+}
+
+}  // namespace advlayers

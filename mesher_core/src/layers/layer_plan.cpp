@@ -1,0 +1,321 @@
+#include "layers/layer_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "layers/concave_scaling.h"
+#include "layers/front_index.h"
+
+namespace advlayers {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+// A row end (three nodes, one kid) takes interior angles up to this; wider ones turn too little.
+constexpr double kRowEndAngle = 135.0 * kDegree;
+constexpr double kLeastRowEndAngle = 30.0 * kDegree;
+constexpr double kNeighbourTurn =
+    40.0 * kDegree;                     // the ends beside a corner run on nearly straight
+constexpr double kRowEndHeights = 2.5;  // its quad is no higher than this many heights
+constexpr double kCollapseLength = 2.0 * 0.41421356237309503;  // 2 tan(pi / 8), paper II.F
+constexpr int kFanLayers = 2;                       // fan edges are exempt from collapse this long
+constexpr double kFanAngle = 247.5 * kDegree;       // from here three quads meet at the corner
+constexpr double kReversalAngle = 315.0 * kDegree;  // and from here four
+constexpr double kEndTurn = 50.0 * kDegree;         // both ends turn this much: the end of a strip
+constexpr double kLeastCellAngle = 4.0 * kDegree;
+
+class Planner {
+ public:
+  explicit Planner(LayerState& state)
+      : state_(state),
+        mesh_(state.mesh),
+        front_(state.front),
+        heights_(front_.nodes().size(), 0.0) {
+    plan_.shapes.resize(front_.nodes().size());
+    plan_.kids_of.resize(front_.nodes().size());
+  }
+
+  LayerPlan run() {
+    measure();
+    cap_by_gaps();
+    drop_lone_nodes();
+    for (int i = 0; i < front_.size(); ++i) {
+      if (advances(i)) try_row_end(i);
+    }
+    for (int i = 0; i < front_.size(); ++i) {
+      state_.cancel->check();
+      if (advances(i) && plan_.kids_of[index(i)].empty()) extrude(i);
+    }
+    merge_close_kids();
+    for (int i = 0; i < front_.size(); ++i) {
+      if (front_[i].next >= 0) add_cell(i, front_[i].next);
+      add_fan_cells(i);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  const NodeShape& shape(int i) const { return plan_.shapes[index(i)]; }
+  bool advances(int i) const { return front_[i].active; }
+  const Vec3& position(int i) const { return mesh_.position(front_[i].vertex); }
+
+  void measure() {
+    for (int i = 0; i < front_.size(); ++i) {
+      const FrontNode& node = front_[i];
+      if (!node.active) continue;
+      if (node.prev < 0 && node.next < 0) {
+        state_.stop(i, Stop::kBlocked);
+        continue;
+      }
+      plan_.shapes[index(i)] = node_shape(mesh_, front_, i);
+      heights_[index(i)] = std::min(node.height, state_.max_height);
+      if (node.layers_left <= 0) {
+        state_.stop(i, Stop::kLayersReached);
+      } else if (state_.stop_at_isotropy && node.height >= shape(i).length()) {
+        state_.stop(i, Stop::kIsotropic);
+      }
+    }
+  }
+
+  // Opposing fronts meet evenly: where two more rows of this height would leave less than one, the
+  // height is a third of the gap; where not even two fit, the column stops.
+  void cap_by_gaps() {
+    const FrontIndex fronts(mesh_, front_);
+    std::vector<int> crowded;
+    for (int i = 0; i < front_.size(); ++i) {
+      if (!advances(i)) continue;
+      const double height = heights_[index(i)];
+      FrontIndex::Hit hit;
+      if (!fronts.nearest_ahead(i, shape(i), 3.0 * height, hit)) continue;
+      if (hit.distance < 2.0 * height) {
+        crowded.push_back(i);
+      } else {
+        heights_[index(i)] = hit.distance / 3.0;
+      }
+    }
+    for (const int i : crowded) state_.stop(i, Stop::kCollision);
+  }
+
+  void drop_lone_nodes() {
+    for (int i = 0; i < front_.size(); ++i) {
+      if (advances(i) && front_[i].prev < 0 && front_[i].next < 0) state_.stop(i, Stop::kCollision);
+    }
+  }
+
+  int add_kid(int node, const SurfacePoint& point) {
+    const FrontNode& parent = front_[node];
+    Kid kid;
+    kid.point = point;
+    kid.normal = state_.surface.normal(point);
+    kid.parents = {node};
+    kid.origin = node;
+    kid.height = parent.height * parent.growth;
+    kid.growth = parent.growth;
+    kid.layers_left = parent.layers_left - 1;
+    kid.root = parent.root;
+    if (parent.fan_age >= 0 && parent.fan_age < kFanLayers) kid.fan_age = parent.fan_age + 1;
+    plan_.kids.push_back(std::move(kid));
+    plan_.kids_of[index(node)].push_back(static_cast<int>(plan_.kids.size()) - 1);
+    return plan_.kids_of[index(node)].back();
+  }
+
+  int step_kid(int node, const Vec3& direction, double length) {
+    SurfacePoint to;
+    if (!state_.surface.step(mesh_.data(front_[node].vertex).point, direction, length, to))
+      return -1;
+    return add_kid(node, to);
+  }
+
+  void extrude(int i) {
+    const NodeShape& s = shape(i);
+    const bool on_wall = mesh_.data(front_[i].vertex).support != Support::kPatch;
+    if (on_wall && s.angle >= kFanAngle) {
+      extrude_fan(i, s.angle >= kReversalAngle ? 2 : 1);
+      return;
+    }
+    const double height = heights_[index(i)];
+    const double factor = concave_factor(s, height);
+    if (step_kid(i, s.inward, factor * height) < 0) state_.stop(i, Stop::kBlocked);
+  }
+
+  // Several kids at a convex corner: the perpendiculars of both edges, and between each two of
+  // `quads` + 1 spokes a diagonal kid at h / cos of half the sector.
+  void extrude_fan(int i, int quads) {
+    const NodeShape& s = shape(i);
+    const double height = heights_[index(i)];
+    const double sector = (s.angle - M_PI) / quads;
+    const Vec3 first = rotated(s.to_prev, s.normal, -0.5 * M_PI);
+    for (int k = 0; k <= 2 * quads; ++k) {
+      const bool diagonal = k % 2 == 1;
+      const double length = diagonal ? height / std::max(0.4, std::cos(0.5 * sector)) : height;
+      const int kid = step_kid(i, rotated(first, s.normal, -0.5 * k * sector), length);
+      if (kid < 0) {
+        drop_kids_of(i);
+        state_.stop(i, Stop::kBlocked);
+        return;
+      }
+      plan_.kids[index(kid)].fan_age = 0;
+      if (diagonal) plan_.kids[index(kid)].parents.clear();
+    }
+    state_.count_event(Event::kFan);
+  }
+  void drop_kids_of(int i) {
+    for (const int kid : plan_.kids_of[index(i)]) plan_.kids[index(kid)].alive = false;
+    plan_.kids_of[index(i)].clear();
+  }
+
+  //   c ------ kid      A row end: the corner a and both its neighbours share the kid b + c - a.
+  //   One |         |       quad, no triangle, two front edges less. a ------- b       (b = prev, c
+  //   = next)
+  void try_row_end(int a) {
+    const NodeShape& s = shape(a);
+    if (s.angle > kRowEndAngle || front_[a].prev < 0 || front_[a].next < 0) return;
+    const int b = front_[a].prev, c = front_[a].next;
+    const double height = heights_[index(a)];
+    for (const int k : {b, c}) {
+      if (!plan_.kids_of[index(k)].empty() || front_[k].prev < 0 || front_[k].next < 0) return;
+      if (std::abs(shape(k).turn()) > kNeighbourTurn) return;
+    }
+    const double longest = std::max(s.length_next, s.length_prev);
+    if (longest > kRowEndHeights * height) return;
+    const int ring = front_.ring_size(a);
+    if (ring >= 0 && ring <= 6) return;
+    // One more layer with a kid of its own at the corner must not leave edges worth keeping.
+    const double eaten = height / std::tan(0.5 * s.angle);
+    if (s.shorter() - eaten > 1.1 * front_[a].growth * height) return;
+    SurfacePoint point;
+    const Vec3 xyz = position(b) + position(c) - position(a);
+    if (!state_.surface.project(xyz, mesh_.data(front_[b].vertex).point, point)) return;
+    const double angle =
+        0.5 * (turn_angle(position(a) - position(b), point.xyz - position(b), s.normal) +
+               turn_angle(point.xyz - position(c), position(a) - position(c), s.normal));
+    const double least = std::min({s.angle, M_PI - s.angle, 2.0 * M_PI - angle, angle});
+    if (least < kLeastRowEndAngle) return;
+    const int kid = add_kid(b, point);
+    plan_.kids[index(kid)].parents = {b, c};
+    plan_.kids[index(kid)].height =
+        0.5 * (front_[b].height * front_[b].growth + front_[c].height * front_[c].growth);
+    plan_.kids_of[index(a)] = {kid};
+    plan_.kids_of[index(c)] = {kid};
+    state_.note_stop(a, Stop::kClosed);
+    state_.count_event(Event::kRowEnd);
+  }
+
+  double kid_distance(int p, int q) const {
+    return (plan_.kids[index(p)].point.xyz - plan_.kids[index(q)].point.xyz).norm();
+  }
+
+  // The end edge of a strip shrinks between two corners; it is zipped, not collapsed.
+  bool is_strip_end(int i, int k) const {
+    return shape(i).turn() > kEndTurn && shape(k).turn() > kEndTurn;
+  }
+
+  // Kids nearer to each other than 2 tan(pi/8) h, or that have passed each other, become one at
+  // their mean (paper, II.F, Fig. 6, before insertion instead of after). Shortest first.
+  void merge_close_kids() {
+    struct Pair {
+      double length;
+      int node;
+    };
+    std::vector<Pair> pairs;
+    for (int i = 0; i < front_.size(); ++i) {
+      const int k = front_[i].next;
+      if (k < 0 || plan_.kids_of[index(i)].empty() || plan_.kids_of[index(k)].empty()) continue;
+      const int p = plan_.kids_of[index(i)].back(), q = plan_.kids_of[index(k)].front();
+      if (p == q) continue;
+      const Vec3 along = plan_.kids[index(q)].point.xyz - plan_.kids[index(p)].point.xyz;
+      const double forward = along.dot((position(k) - position(i)).normalized());
+      const double height = 0.5 * (heights_[index(i)] + heights_[index(k)]);
+      const bool fan = plan_.kids[index(p)].fan_age >= 0 && plan_.kids[index(q)].fan_age >= 0;
+      const double limit = fan || is_strip_end(i, k) ? 0.2 : kCollapseLength;
+      if (forward < limit * height) pairs.push_back({forward, i});
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+      return a.length != b.length ? a.length < b.length : a.node < b.node;
+    });
+    for (const Pair& pair : pairs) merge(pair.node, front_[pair.node].next);
+  }
+
+  void merge(int i, int k) {
+    auto& kids_i = plan_.kids_of[index(i)];
+    auto& kids_k = plan_.kids_of[index(k)];
+    if (kids_i.size() != 1 || kids_k.size() != 1) return;
+    Kid& kept = plan_.kids[index(kids_i[0])];
+    Kid& gone = plan_.kids[index(kids_k[0])];
+    if (kept.parents.size() != 1 || gone.parents.size() != 1) return;
+    SurfacePoint mean;
+    if (!state_.surface.project(0.5 * (kept.point.xyz + gone.point.xyz), kept.point, mean)) return;
+    kept.point = mean;
+    kept.normal = state_.surface.normal(mean);
+    kept.parents.push_back(k);
+    kept.height = 0.5 * (kept.height + gone.height);
+    kept.growth = 0.5 * (kept.growth + gone.growth);
+    kept.layers_left = std::min(kept.layers_left, gone.layers_left);
+    gone.alive = false;
+    kids_k = kids_i;
+    state_.note_stop(k, Stop::kMerged);
+    state_.count_event(Event::kCollapse);
+  }
+
+  Corner kid_corner(int kid) const {
+    return {plan_.kids[index(kid)].point.xyz, plan_.kids[index(kid)].normal};
+  }
+  // All corners of the planned quad are convex.
+  static bool convex(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+    return std::min({min_angle(a, b, c), min_angle(b, c, d), min_angle(c, d, a),
+                     min_angle(d, a, b)}) > kLeastCellAngle;
+  }
+
+  void add_cell(int from, int to) {
+    if (plan_.kids_of[index(from)].empty() || plan_.kids_of[index(to)].empty()) return;
+    Cell cell;
+    cell.from = from;
+    cell.to = to;
+    cell.kid_from = plan_.kids_of[index(from)].back();
+    cell.kid_to = plan_.kids_of[index(to)].front();
+    const Corner a = corner(mesh_, front_[from].vertex), b = corner(mesh_, front_[to].vertex);
+    const Corner p = kid_corner(cell.kid_from), q = kid_corner(cell.kid_to);
+    if (cell.kid_from != cell.kid_to) {
+      cell.alive = convex(a, b, q, p);
+    } else if (!is_parent(cell.kid_to, to)) {
+      cell.middle = to;  // from -> to -> beyond, all joined by one kid
+      cell.to = front_[to].next;
+      const Corner c = corner(mesh_, front_[cell.to].vertex);
+      cell.alive = convex(a, b, c, q);
+    } else if (!is_parent(cell.kid_from, from)) {
+      return;  // the row end's second edge: its cell is made from the first
+    } else {
+      cell.alive = min_angle(a, b, q) > kLeastCellAngle;
+    }
+    plan_.cells.push_back(cell);
+  }
+  bool is_parent(int kid, int node) const {
+    const auto& parents = plan_.kids[index(kid)].parents;
+    return std::find(parents.begin(), parents.end(), node) != parents.end();
+  }
+
+  void add_fan_cells(int i) {
+    const auto& kids = plan_.kids_of[index(i)];
+    for (std::size_t k = 0; k + 2 < kids.size(); k += 2) {
+      Cell cell;
+      cell.from = cell.to = i;
+      cell.kid_from = kids[k];
+      cell.diagonal = kids[k + 1];
+      cell.kid_to = kids[k + 2];
+      plan_.cells.push_back(cell);
+    }
+  }
+
+  LayerState& state_;
+  SurfaceMesh& mesh_;
+  Front& front_;
+  LayerPlan plan_;
+  std::vector<double> heights_;  // of this extrusion, by node
+};
+
+}  // namespace
+
+LayerPlan plan_layer(LayerState& state) { return Planner(state).run(); }
+
+}  // namespace advlayers

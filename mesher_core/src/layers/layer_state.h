@@ -1,0 +1,42 @@
+// What the steps of one layer share.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "layers/front.h"
+#include "layers/patch_layers.h"
+#include "layers/reconnect.h"
+
+namespace advlayers {
+
+struct LayerState {
+  PatchId patch;
+  SurfaceMesh& mesh;
+  PatchSurface& surface;
+  Front front;
+  double max_height;
+  bool stop_at_isotropy;
+  ReconnectLimits limits{};
+  SwapQueue swaps;
+  int layer = 0;
+  LayerReport* report = nullptr;
+  const CancelFlag* cancel = nullptr;
+  std::vector<Diagnostic> diagnostics{};
+  std::vector<StopRecord> stops{};
+
+  void count_event(Event event) { ++report->events[static_cast<std::size_t>(event)]; }
+
+  // Takes a node out of the front and notes the reason for its column.
+  void stop(int node, Stop reason) {
+    note_stop(node, reason);
+    front.stop(node, mesh);
+  }
+  void note_stop(int node, Stop reason) {
+    ++report->stops[static_cast<std::size_t>(reason)];
+    stops.push_back({front[node].root, reason, layer});
+  }
+};
+
+}  // namespace advlayers

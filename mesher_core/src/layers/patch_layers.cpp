@@ -1,0 +1,96 @@
+#include "layers/patch_layers.h"
+
+#include <utility>
+
+#include "layers/close_front.h"
+#include "layers/insert_layer.h"
+#include "layers/layer_plan.h"
+#include "layers/layer_state.h"
+#include "layers/make_way.h"
+#include "layers/smooth.h"
+
+namespace advlayers {
+
+const char* step_name(Step step) {
+  static constexpr std::array<const char*, 9> kNames{"make-way", "redefine", "extrude",
+                                                     "recover",  "improve",  "combine",
+                                                     "smooth",   "collapse", "grow"};
+  return kNames[static_cast<std::size_t>(step)];
+}
+
+const char* stop_name(Stop stop) {
+  static constexpr std::array<const char*, kStopCount> kNames{
+      "layers-reached", "isotropic", "collision", "closed", "blocked", "merged"};
+  return kNames[static_cast<std::size_t>(stop)];
+}
+
+const char* event_name(Event event) {
+  static constexpr std::array<const char*, kEventCount> kNames{"collapse", "row-end",
+                                                               "close-triangle", "zip", "fan"};
+  return kNames[static_cast<std::size_t>(event)];
+}
+
+struct PatchLayers::Impl {
+  LayerState state;
+  StepHook hook;
+
+  Impl(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan)
+      : state{patch,
+              mesh,
+              surface,
+              Front(mesh, plan),
+              plan.max_height,
+              plan.stop_at_isotropy,
+              ReconnectLimits{},
+              SwapQueue(mesh)} {}
+
+  void done(Step step) const {
+    if (hook) hook(step, state.mesh);
+  }
+
+  // Algorithm 1, lines 8 to 17. The front is collapsed in the plan, before anything is inserted.
+  void advance_layer() {
+    make_way(state);
+    done(Step::kMakeWay);
+    close_front(state);
+    done(Step::kRedefine);
+    LayerPlan plan = plan_layer(state);
+    done(Step::kCollapse);
+    insert_kids(state, plan);
+    done(Step::kExtrude);
+    recover_cells(state, plan);
+    done(Step::kRecover);
+    combine_cells(state, plan);
+    done(Step::kCombine);
+    smooth_layer(state, plan);
+    done(Step::kSmooth);
+    state.swaps.run(state.limits, state.report->vetoes);
+    done(Step::kImprove);
+    advance_front(state, plan);
+    done(Step::kGrow);
+  }
+};
+
+PatchLayers::PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface,
+                         const WallPlan& plan)
+    : impl_(std::make_unique<Impl>(patch, mesh, surface, plan)) {}
+PatchLayers::~PatchLayers() = default;
+
+bool PatchLayers::advance(LayerReport& report, const CancelFlag& cancel) {
+  LayerState& state = impl_->state;
+  report = LayerReport();
+  if (state.front.active_count() == 0) return false;
+  state.report = &report;
+  state.cancel = &cancel;
+  report.patch = state.patch;
+  report.layer = ++state.layer;
+  impl_->advance_layer();
+  report.front_vertices = state.front.active_count();
+  return true;
+}
+
+void PatchLayers::set_step_hook(StepHook hook) { impl_->hook = std::move(hook); }
+const std::vector<Diagnostic>& PatchLayers::diagnostics() const { return impl_->state.diagnostics; }
+const std::vector<StopRecord>& PatchLayers::stops() const { return impl_->state.stops; }
+
+}  // namespace advlayers

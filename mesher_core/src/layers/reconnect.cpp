@@ -1,0 +1,163 @@
+#include "layers/reconnect.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/triangle_measures.h"
+
+namespace advlayers {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+// A swap must gain at least this angle [rad], or equal diagonals would swap for ever.
+constexpr double kSwapGain = 1e-6;
+
+struct SwapCorners {
+  Corner a, b, c, d;  // h runs from a to b; c lies left of it, d right
+};
+SwapCorners swap_corners(const SurfaceMesh& mesh, HalfedgeH h) {
+  const HalfedgeH t = SurfaceMesh::twin(h);
+  return {corner(mesh, mesh.from(h)), corner(mesh, mesh.to(h)), corner(mesh, mesh.to(mesh.next(h))),
+          corner(mesh, mesh.to(mesh.next(t)))};
+}
+
+// The best collapse of v that is found, and its worth.
+struct Collapse {
+  HalfedgeH halfedge;
+  double angle = -1.0;
+};
+
+double dihedral_cosine(const Vec3& m, const Vec3& n) {
+  const double scale = m.norm() * n.norm();
+  return scale > 0.0 ? m.dot(n) / scale : 1.0;
+}
+
+// The triangles about v after v -> w, tested one by one against `limits`.
+Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
+                      const ReconnectLimits& limits, double& worst_angle) {
+  const VertexH v = mesh.from(h);
+  const Corner w = corner(mesh, mesh.to(h));
+  const Corner old = corner(mesh, v);
+  double allowed = std::cos(limits.deviation * kDegree);
+  double least = INFINITY, largest = 0.0, deviation = 1.0, fold = 1.0;
+  worst_angle = M_PI;
+  Vec3 last = Vec3::Zero();
+  for (HalfedgeH o = mesh.rotate_ccw(h); o != h; o = mesh.rotate_ccw(o)) {
+    const Corner p = corner(mesh, mesh.to(o));
+    const Corner q = corner(mesh, mesh.to(mesh.next(o)));
+    allowed = std::min(allowed, deviation_cosine(old, p, q));
+    if (mesh.to(mesh.next(o)) == mesh.to(h)) break;
+    worst_angle = std::min(worst_angle, min_angle(w, p, q));
+    if (worst_angle <= 0.0) return Veto::kInverts;
+    const double area2 = signed_area2(w, p, q);
+    least = std::min(least, area2);
+    largest = std::max(largest, area2);
+    deviation = std::min(deviation, deviation_cosine(w, p, q));
+    const Vec3 normal = (p.xyz - w.xyz).cross(q.xyz - w.xyz);
+    if (last != Vec3::Zero()) fold = std::min(fold, dihedral_cosine(last, normal));
+    last = normal;
+  }
+  if (removal == Removal::kForced) return Veto::kNone;
+  if (largest > limits.area_ratio * least) return Veto::kAreaRatio;
+  if (deviation < allowed - 1e-12) return Veto::kLeavesSurface;
+  if (fold < std::cos(limits.dihedral * kDegree)) return Veto::kTooSharp;
+  return Veto::kNone;
+}
+
+Collapse best_collapse(const SurfaceMesh& mesh, VertexH v, Removal removal,
+                       const ReconnectLimits& limits, VetoTally& tally) {
+  Collapse best;
+  const HalfedgeH first = mesh.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    double angle = 0.0;
+    Veto veto = mesh.collapse_veto(h);
+    if (veto == Veto::kNone) veto = collapse_quality(mesh, h, removal, limits, angle);
+    count(tally, veto);
+    if (veto == Veto::kNone && angle > best.angle) best = {h, angle};
+    h = mesh.rotate_cw(h);
+  } while (h != first);
+  return best;
+}
+
+// Swaps one edge away from v; false if none can be.
+bool lower_valence(SurfaceMesh& mesh, VertexH v, VetoTally& tally) {
+  const HalfedgeH first = mesh.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    const HalfedgeH following = mesh.rotate_cw(h);
+    const Veto veto = orientation_veto(mesh, h);
+    count(tally, veto);
+    if (veto == Veto::kNone) {
+      mesh.flip(h);
+      return true;
+    }
+    h = following;
+  } while (h != first);
+  return false;
+}
+
+}  // namespace
+
+Veto orientation_veto(const SurfaceMesh& mesh, HalfedgeH h) {
+  const Veto veto = mesh.flip_veto(h);
+  if (veto != Veto::kNone) return veto;
+  const auto [a, b, c, d] = swap_corners(mesh, h);
+  const double flat = 1e-14 * (c.xyz - d.xyz).squaredNorm();
+  if (signed_area2(d, c, a) <= flat || signed_area2(c, d, b) <= flat) return Veto::kInverts;
+  return Veto::kNone;
+}
+
+Veto quality_veto(const SurfaceMesh& mesh, HalfedgeH h, const ReconnectLimits& limits) {
+  const Veto veto = mesh.flip_veto(h);
+  if (veto != Veto::kNone) return veto;
+  const auto [a, b, c, d] = swap_corners(mesh, h);
+  const double before = std::min(min_angle(a, b, c), min_angle(b, a, d));
+  const double after = std::min(min_angle(d, c, a), min_angle(c, d, b));
+  if (after <= 0.0) return Veto::kInverts;
+  if (after <= before + kSwapGain) return Veto::kLowersQuality;
+  const double worst = std::min(deviation_cosine(a, b, c), deviation_cosine(b, a, d));
+  const double made = std::min(deviation_cosine(d, c, a), deviation_cosine(c, d, b));
+  if (made < std::min(worst, std::cos(limits.deviation * kDegree))) return Veto::kLeavesSurface;
+  return Veto::kNone;
+}
+
+bool remove_core_vertex(SurfaceMesh& mesh, VertexH v, Removal removal,
+                        const ReconnectLimits& limits, VetoTally& tally) {
+  for (int tries = mesh.valence(v); tries >= 3; --tries) {
+    const Collapse best = best_collapse(mesh, v, removal, limits, tally);
+    if (best.halfedge.valid()) {
+      mesh.collapse(best.halfedge);
+      return true;
+    }
+    if (removal == Removal::kGuarded || !lower_valence(mesh, v, tally)) return false;
+  }
+  return false;
+}
+
+SwapQueue::SwapQueue(SurfaceMesh& mesh) : mesh_(&mesh) { mesh.add_observer(this); }
+SwapQueue::~SwapQueue() { mesh_->remove_observer(this); }
+
+void SwapQueue::face_created(const SurfaceMesh&, FaceH f) { faces_.push_back(f); }
+void SwapQueue::face_changed(const SurfaceMesh&, FaceH f) { faces_.push_back(f); }
+
+void SwapQueue::run(const ReconnectLimits& limits, VetoTally& tally) {
+  // Each swap raises the minimum angle of its pair, so this ends; the bound only guards round-off.
+  std::size_t budget = 40 * (faces_.size() + 16);
+  while (!faces_.empty() && budget-- > 0) {
+    const FaceH f = faces_.back();
+    faces_.pop_back();
+    if (!mesh_->alive(f) || mesh_->data(f).layer > 0) continue;
+    HalfedgeH h = mesh_->halfedge(f);
+    for (int k = 0; k < 3; ++k, h = mesh_->next(h)) {
+      const Veto veto = quality_veto(*mesh_, h, limits);
+      count(tally, veto);
+      if (veto != Veto::kNone) continue;
+      mesh_->flip(h);  // queues both faces again
+      break;
+    }
+  }
+  faces_.clear();
+}
+
+}  // namespace advlayers

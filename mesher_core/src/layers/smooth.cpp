@@ -1,0 +1,100 @@
+#include "layers/smooth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace advlayers {
+namespace {
+
+// The paper's spring constants and bounds (II.I).
+constexpr double kExtrusionSpring = 0.01;
+constexpr double kNeighbourSpring = 0.02;
+constexpr double kOriginalSpring = 0.1;
+constexpr int kPasses = 8;
+constexpr double kMostStep = 0.05;  // of the height, per pass
+constexpr double kUneven = 1.15;    // neighbour edges that differ more are worth smoothing
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+struct Spring {
+  int kid = -1, left = -1, right = -1;  // left and right along the new front
+  Vec3 parent = Vec3::Zero(), original = Vec3::Zero();
+  double height = 0.0;
+};
+
+std::vector<Spring> springs(const LayerState& state, const LayerPlan& plan) {
+  std::vector<int> left(plan.kids.size(), -1), right(plan.kids.size(), -1);
+  for (const Cell& cell : plan.cells) {
+    if (!cell.alive || cell.kid_from == cell.kid_to || cell.diagonal >= 0) continue;
+    right[index(cell.kid_from)] = cell.kid_to;
+    left[index(cell.kid_to)] = cell.kid_from;
+  }
+  std::vector<Spring> result;
+  for (std::size_t k = 0; k < plan.kids.size(); ++k) {
+    const Kid& kid = plan.kids[k];
+    if (!kid.alive || left[k] < 0 || right[k] < 0 || kid.fan_age >= 0) continue;
+    Spring spring{static_cast<int>(k), left[k], right[k]};
+    const auto at = [&](int i) { return plan.kids[index(i)].point.xyz; };
+    const double a = (at(left[k]) - kid.point.xyz).norm();
+    const double b = (at(right[k]) - kid.point.xyz).norm();
+    if (std::max(a, b) < kUneven * std::min(a, b)) continue;
+    spring.parent = state.mesh.position(state.front[kid.origin].vertex);
+    spring.original = kid.point.xyz;
+    spring.height = (kid.point.xyz - spring.parent).norm();
+    result.push_back(spring);
+  }
+  return result;
+}
+
+Vec3 force(const SurfaceMesh& mesh, const LayerPlan& plan, const Spring& spring) {
+  const auto at = [&](int k) { return mesh.position(plan.kids[index(k)].vertex); };
+  const Vec3 here = at(spring.kid), left = at(spring.left), right = at(spring.right);
+  const Vec3 along = (right - left).normalized();
+  const Vec3 up = here - spring.parent;
+  const double real = up.norm();
+  const Vec3 parent_force =
+      -kExtrusionSpring * (real - spring.height) / (real + spring.height) * up;
+  const Vec3 neighbour_force = kNeighbourSpring * (0.5 * (left + right) - here).dot(along) * along;
+  return parent_force + neighbour_force + kOriginalSpring * (spring.original - here);
+}
+
+// Every corner about v stays convex with v at `moved`.
+bool stays_upright(const SurfaceMesh& mesh, VertexH v, const Corner& moved) {
+  const auto at = [&](VertexH w) { return w == v ? moved : corner(mesh, w); };
+  const HalfedgeH first = mesh.outgoing(v);
+  HalfedgeH o = first;
+  do {
+    HalfedgeH h = o;
+    do {
+      const HalfedgeH n = mesh.next(h);
+      if (min_angle(at(mesh.from(h)), at(mesh.to(h)), at(mesh.to(n))) <= 0.01) return false;
+      h = n;
+    } while (h != o);
+    o = mesh.rotate_cw(o);
+  } while (o != first);
+  return true;
+}
+
+}  // namespace
+
+void smooth_layer(LayerState& state, const LayerPlan& plan) {
+  SurfaceMesh& mesh = state.mesh;
+  const std::vector<Spring> moving = springs(state, plan);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (const Spring& spring : moving) {
+      state.cancel->check();
+      const VertexH v = plan.kids[index(spring.kid)].vertex;
+      Vec3 step = force(mesh, plan, spring);
+      const double most = kMostStep * spring.height;
+      if (step.norm() > most) step *= most / step.norm();
+      SurfacePoint to;
+      if (!state.surface.project(mesh.position(v) + step, mesh.data(v).point, to)) continue;
+      const Corner moved{to.xyz, state.surface.normal(to)};
+      if (!stays_upright(mesh, v, moved)) continue;
+      mesh.data(v).point = to;
+      mesh.data(v).normal = moved.normal;
+    }
+  }
+}
+
+}  // namespace advlayers

@@ -1,0 +1,45 @@
+#include "mesh/triangle_measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace advlayers {
+
+double signed_area2(const Corner& a, const Corner& b, const Corner& c) {
+  const Vec3 normal = a.normal + b.normal + c.normal;
+  const double length = normal.norm();
+  if (length == 0.0) return 0.0;
+  return (b.xyz - a.xyz).cross(c.xyz - a.xyz).dot(normal) / length;
+}
+
+double min_angle(const Corner& a, const Corner& b, const Corner& c) {
+  const Vec3 ab = b.xyz - a.xyz, bc = c.xyz - b.xyz, ca = a.xyz - c.xyz;
+  // The smallest angle lies opposite the shortest side, between the two longer ones.
+  const double ab2 = ab.squaredNorm(), bc2 = bc.squaredNorm(), ca2 = ca.squaredNorm();
+  const double area2 = ab.cross(bc).norm();
+  double dot = 0.0;
+  if (ab2 <= bc2 && ab2 <= ca2) {
+    dot = -bc.dot(ca);
+  } else if (bc2 <= ca2) {
+    dot = -ab.dot(ca);
+  } else {
+    dot = -ab.dot(bc);
+  }
+  const double angle = std::atan2(area2, dot);
+  return signed_area2(a, b, c) > 0.0 ? angle : -angle;
+}
+
+double deviation_cosine(const Corner& a, const Corner& b, const Corner& c) {
+  const Vec3 cross = (b.xyz - a.xyz).cross(c.xyz - a.xyz);
+  const Vec3 normal = a.normal + b.normal + c.normal;
+  const double scale = cross.norm() * normal.norm();
+  return scale > 0.0 ? cross.dot(normal) / scale : 1.0;
+}
+
+double turn_angle(const Vec3& from, const Vec3& to, const Vec3& normal) {
+  const double angle =
+      std::atan2(from.cross(to).dot(normal), from.dot(to) - from.dot(normal) * to.dot(normal));
+  return angle < 0.0 ? angle + 2.0 * M_PI : angle;
+}
+
+}  // namespace advlayers
