@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "layers/front_index.h"
 #include "layers/recover.h"
 
 namespace advlayers {
@@ -12,8 +13,14 @@ namespace {
 constexpr double kDegree = M_PI / 180.0;
 // Halving a sharper corner would leave angles below 20 degrees: it is closed by a triangle instead.
 constexpr double kTipAngle = 40.0 * kDegree;
-// The end of a gap is zipped where two more rows do not fit.
-constexpr double kZipHeights = 2.0;
+constexpr double kStripTipAngle =
+    80.0 * kDegree;  // at the head of a narrow strip, to begin zipping
+// The end of a gap is zipped, and a gap bridged, where two more rows hardly fit: the paper's 2.4.
+constexpr double kZipHeights = 2.4;
+constexpr double kCrowdedHeights = 2.0;
+constexpr double kLeastEndAngle = 55.0 * kDegree;  // at the two corners of a strip's end
+constexpr double kLargestEndAngle = 125.0 * kDegree;
+constexpr double kLeastRungCosine = 0.8;  // a rung leaves both fronts nearly at right angles
 constexpr double kLeastQuadAngle = 35.0 * kDegree;
 constexpr double kLargestQuadAngle = 145.0 * kDegree;
 constexpr double kLeastTipAngle = 8.0 * kDegree;
@@ -26,6 +33,12 @@ class Closer {
 
   void run() {
     for (int i = 0; i < front_.size(); ++i) queue_.push_back(i);
+    close_queued();
+    bridge_gaps();
+  }
+
+ private:
+  void close_queued() {
     while (!queue_.empty()) {
       state_.cancel->check();
       const int i = queue_.front();
@@ -35,7 +48,76 @@ class Closer {
     }
   }
 
- private:
+  struct Gap {
+    double distance;  // [mm]
+    int node;
+    VertexH from, to;  // of the opposing edge
+  };
+
+  // Where two fronts come too near for two more rows, a rung joins them at the narrowest place; the
+  // gap's two halves then have ends, which are zipped.
+  void bridge_gaps() {
+    std::vector<Gap> gaps;
+    {
+      const FrontIndex fronts(mesh_, front_);
+      for (int i = 0; i < front_.size(); ++i) {
+        if (!front_[i].active || front_[i].next < 0 || front_[i].prev < 0) continue;
+        FrontIndex::Hit hit;
+        const double reach = kCrowdedHeights * std::min(front_[i].height, state_.max_height);
+        if (!fronts.nearest_ahead(i, node_shape(mesh_, front_, i), reach, hit)) continue;
+        gaps.push_back({hit.distance, i, hit.from, hit.to});
+      }
+    }
+    std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+    });
+    for (const Gap& gap : gaps) {
+      state_.cancel->check();
+      if (front_[gap.node].active && place_rung(gap)) close_queued();
+    }
+  }
+
+  int active_node_at(VertexH v) const {
+    for (int i = 0; i < front_.size(); ++i) {
+      const FrontNode& node = front_[i];
+      if (node.vertex == v && node.active && node.prev >= 0 && node.next >= 0) return i;
+    }
+    return -1;
+  }
+
+  //   --- q2 q1 ---      The front ran from the left through p to the right, and back through q; it
+  //        | |           now turns at the rung: prev(p), p1, q1, next(q) and prev(q), q2, p2,
+  //        next(p).
+  //   --- p1 p2 ---      (p1 and q2 are the old nodes)
+  bool place_rung(const Gap& gap) {
+    const int p = gap.node;
+    if (front_[p].prev < 0 || front_[p].next < 0) return false;
+    const NodeShape shape = node_shape(mesh_, front_, p);
+    int q = -1;
+    double best = kLeastRungCosine;
+    for (const VertexH v : {gap.from, gap.to}) {
+      const int k = active_node_at(v);
+      if (k < 0 || k == p || k == front_[p].next || k == front_[p].prev) continue;
+      const Vec3 rung = (at(k).xyz - at(p).xyz).normalized();
+      const double straight =
+          std::min(rung.dot(shape.inward), -rung.dot(node_shape(mesh_, front_, k).inward));
+      if (straight > best) {
+        best = straight;
+        q = k;
+      }
+    }
+    if (q < 0 || distance(p, q) > kZipHeights * front_[p].height) return false;
+    const HalfedgeH rung = recover_edge(mesh_, front_[p].vertex, front_[q].vertex, state_.limits,
+                                        state_.report->vetoes);
+    if (!rung.valid() || mesh_.frozen(rung)) return false;
+    mesh_.set_frozen(rung, true);
+    front_.split_at_rung(p, q);
+    state_.count_event(Event::kRung);
+    for (const int k : {p, q, front_[p].next, front_[q].next}) queue_.push_back(k);
+    for (const int k : {front_[p].prev, front_[q].prev}) queue_.push_back(k);
+    return true;
+  }
+
   Corner at(int i) const { return corner(mesh_, front_[i].vertex); }
   double distance(int i, int k) const { return (at(i).xyz - at(k).xyz).norm(); }
 
@@ -107,9 +189,9 @@ class Closer {
   // A corner sharper than 40 degrees becomes one triangle; the front goes straight across.
   bool close_tip(int a) {
     const NodeShape shape = node_shape(mesh_, front_, a);
-    if (shape.angle > kTipAngle) return false;
     const int b = front_[a].prev, c = front_[a].next;
     if (b == c || front_.ring_size(a) <= 4) return false;
+    if (shape.angle > kTipAngle && (shape.angle > kStripTipAngle || !heads_strip(a))) return false;
     const double ratio = shape.length_prev / shape.length_next;
     if (ratio < 0.5 || ratio > 2.0) return false;
     if (min_angle(at(b), at(a), at(c)) < kLeastTipAngle) return false;
@@ -121,6 +203,15 @@ class Closer {
     return true;
   }
 
+  // Does a narrow strip begin at the tip a: the next two pairs of nodes are both too near for rows.
+  bool heads_strip(int a) const {
+    const int b = front_[a].prev, c = front_[a].next;
+    const int before = front_[b].prev, after = front_[c].next;
+    if (before < 0 || after < 0 || before == after) return false;
+    const double reach = kZipHeights * std::min(front_[a].height, state_.max_height);
+    return distance(b, c) <= reach && distance(before, after) <= reach;
+  }
+
   //   b' --- c'     the front runs b', b, c, c'; the gap b - c is too narrow for two more rows:
   //   |       |     one quad closes it, and the front runs b', c'
   //   b ---- c
@@ -130,8 +221,11 @@ class Closer {
     const int before = front_[b].prev, after = front_[c].next;
     if (before == after || before == c || front_.ring_size(b) <= 4) return false;
     const double height = 0.5 * (front_[before].height + front_[after].height);
-    const double gap = std::min(distance(b, c), distance(before, after));
-    if (gap > kZipHeights * height) return false;
+    if (distance(b, c) > kZipHeights * height) return false;
+    for (const int k : {b, c}) {
+      const double angle = node_shape(mesh_, front_, k).angle;
+      if (angle < kLeastEndAngle || angle > kLargestEndAngle) return false;
+    }
     if (!good_quad(before, b, c, after)) return false;
     if (!cut_off(before, after, 2)) return false;
     state_.count_event(Event::kZip);

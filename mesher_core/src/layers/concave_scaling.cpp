@@ -9,7 +9,7 @@ namespace {
 constexpr double kLeastTurn = 20.0 * M_PI / 180.0;
 constexpr double kMostConvex = 1.5;  // a sharper corner would throw its kid too far ahead
 // Eq. 9 grows without bound as A nears cot theta; the cell stays convex below this multiple.
-constexpr double kMostRace = 1.35;
+constexpr double kMostRace = 1.0;
 
 }  // namespace
 

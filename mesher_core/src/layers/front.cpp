@@ -88,6 +88,17 @@ void Front::bridge(int before, int after) {
   (*this)[after].prev = before;
 }
 
+void Front::split_at_rung(int p, int q) {
+  const int new_p = size(), new_q = size() + 1;
+  nodes_.push_back((*this)[p]);
+  nodes_.push_back((*this)[q]);
+  for (const auto& [node, other] : {std::pair{p, new_q}, std::pair{q, new_p}}) {
+    (*this)[node].next = other;
+    (*this)[other].prev = node;
+  }
+  for (const int node : {new_p, new_q}) (*this)[(*this)[node].next].prev = node;
+}
+
 int Front::ring_size(int i) const {
   int n = 0;
   int k = i;

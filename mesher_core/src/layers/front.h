@@ -56,6 +56,9 @@ class Front {
   void stop(int i, const SurfaceMesh& mesh);
   // Takes the nodes of a consumed run out and joins what is left on both sides.
   void bridge(int before, int after);
+  // Joins p's and q's runs by an edge between them that both runs turn back at: the front then runs
+  // prev(p), p, q', next(q) and prev(q), q, p', next(p), with p' and q' new.
+  void split_at_rung(int p, int q);
   // Continues with the next layer's nodes.
   void replace(std::vector<FrontNode> nodes) { nodes_ = std::move(nodes); }
 

@@ -1,8 +1,8 @@
 #include "layers/layer_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "layers/concave_scaling.h"
 #include "layers/front_index.h"
@@ -94,6 +94,13 @@ class Planner {
         heights_[index(i)] = hit.distance / 3.0;
       }
     }
+    // The two corners at a strip's end do not see each other; they share its width likewise.
+    for (int i = 0; i < front_.size(); ++i) {
+      const int k = front_[i].next;
+      if (!advances(i) || k < 0 || !is_strip_end(i, k)) continue;
+      const double third = shape(i).length_next / 3.0;
+      for (const int end : {i, k}) heights_[index(end)] = std::min(heights_[index(end)], third);
+    }
     for (const int i : crowded) state_.stop(i, Stop::kCollision);
   }
 
@@ -165,41 +172,82 @@ class Planner {
     plan_.kids_of[index(i)].clear();
   }
 
+  // May the front end a row at corner a: it turns enough, and its edges are short enough that one
+  // more layer with a kid of its own would leave none worth keeping.
+  bool ends_row(int a) const {
+    if (!advances(a) || front_[a].prev < 0 || front_[a].next < 0) return false;
+    if (!plan_.kids_of[index(a)].empty()) return false;
+    const NodeShape& s = shape(a);
+    if (s.angle > kRowEndAngle) return false;
+    const double height = heights_[index(a)];
+    if (std::max(s.length_next, s.length_prev) > kRowEndHeights * height) return false;
+    const double eaten = height / std::tan(0.5 * s.angle);
+    return s.shorter() - eaten <= 1.1 * front_[a].growth * height;
+  }
+  // Is the node beside a row end free, and the front nearly straight there.
+  bool runs_straight(int k) const {
+    return k >= 0 && advances(k) && plan_.kids_of[index(k)].empty() && front_[k].prev >= 0 &&
+           front_[k].next >= 0 && std::abs(shape(k).turn()) <= kNeighbourTurn;
+  }
+
   //   c ------ kid      A row end: the corner a and both its neighbours share the kid b + c - a.
   //   One |         |       quad, no triangle, two front edges less. a ------- b       (b = prev, c
   //   = next)
   void try_row_end(int a) {
-    const NodeShape& s = shape(a);
-    if (s.angle > kRowEndAngle || front_[a].prev < 0 || front_[a].next < 0) return;
+    if (!ends_row(a)) return;
     const int b = front_[a].prev, c = front_[a].next;
-    const double height = heights_[index(a)];
-    for (const int k : {b, c}) {
-      if (!plan_.kids_of[index(k)].empty() || front_[k].prev < 0 || front_[k].next < 0) return;
-      if (std::abs(shape(k).turn()) > kNeighbourTurn) return;
-    }
-    const double longest = std::max(s.length_next, s.length_prev);
-    if (longest > kRowEndHeights * height) return;
     const int ring = front_.ring_size(a);
     if (ring >= 0 && ring <= 6) return;
-    // One more layer with a kid of its own at the corner must not leave edges worth keeping.
-    const double eaten = height / std::tan(0.5 * s.angle);
-    if (s.shorter() - eaten > 1.1 * front_[a].growth * height) return;
+    if (try_strip_end(a, c, front_[c].next) || try_strip_end(front_[b].prev, b, a)) return;
+    if (!runs_straight(b) || !runs_straight(c)) return;
+    share_kid({a}, {b, c}, position(b) + position(c) - position(a));
+  }
+
+  //   b --- kid --- e     A strip two edges wide ends: two row ends share the node m between their
+  //   |      |      |     corners, and the kid.
+  //   a ---- m ---- d     (front: b, a, m, d, e)
+  bool try_strip_end(int a, int m, int d) {
+    if (a < 0 || d < 0 || !ends_row(a) || !ends_row(d) || !runs_straight(m)) return false;
+    const int b = front_[a].prev, e = front_[d].next;
+    if (!runs_straight(b) || !runs_straight(e) || b == e || front_[b].prev == e) return false;
+    const Vec3 side = 0.5 * (position(b) - position(a) + position(e) - position(d));
+    return share_kid({a, d}, {b, m, e}, position(m) + side);
+  }
+
+  // One kid for all `parents`; the corners in between get none.
+  bool share_kid(const std::vector<int>& corners, const std::vector<int>& parents,
+                 const Vec3& xyz) {
     SurfacePoint point;
-    const Vec3 xyz = position(b) + position(c) - position(a);
-    if (!state_.surface.project(xyz, mesh_.data(front_[b].vertex).point, point)) return;
-    const double angle =
-        0.5 * (turn_angle(position(a) - position(b), point.xyz - position(b), s.normal) +
-               turn_angle(point.xyz - position(c), position(a) - position(c), s.normal));
-    const double least = std::min({s.angle, M_PI - s.angle, 2.0 * M_PI - angle, angle});
-    if (least < kLeastRowEndAngle) return;
-    const int kid = add_kid(b, point);
-    plan_.kids[index(kid)].parents = {b, c};
-    plan_.kids[index(kid)].height =
-        0.5 * (front_[b].height * front_[b].growth + front_[c].height * front_[c].growth);
-    plan_.kids_of[index(a)] = {kid};
-    plan_.kids_of[index(c)] = {kid};
-    state_.note_stop(a, Stop::kClosed);
-    state_.count_event(Event::kRowEnd);
+    if (!state_.surface.project(xyz, mesh_.data(front_[parents[0]].vertex).point, point))
+      return false;
+    const Corner kid_at{point.xyz, state_.surface.normal(point)};
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Corner p = corner(mesh_, front_[parents[k]].vertex);
+      const Corner q = corner(mesh_, front_[parents[k + 1]].vertex);
+      const Corner a = corner(mesh_, front_[corners[k]].vertex);
+      const double least = std::min({min_angle(p, a, q), min_angle(a, q, kid_at),
+                                     min_angle(q, kid_at, p), min_angle(kid_at, p, a)});
+      if (least <= 0.0) return false;
+      for (const auto& [x, y, z] : {std::array{p, a, q}, std::array{a, q, kid_at},
+                                    std::array{q, kid_at, p}, std::array{kid_at, p, a}}) {
+        const double angle = turn_angle(z.xyz - y.xyz, x.xyz - y.xyz, y.normal);
+        if (angle < kLeastRowEndAngle || angle > M_PI - kLeastRowEndAngle) return false;
+      }
+    }
+    const int kid = add_kid(parents[0], point);
+    plan_.kids[index(kid)].parents = parents;
+    double height = 0.0;
+    for (const int k : parents) {
+      height += front_[k].height * front_[k].growth / static_cast<double>(parents.size());
+      plan_.kids_of[index(k)] = {kid};
+    }
+    plan_.kids[index(kid)].height = height;
+    for (const int a : corners) {
+      plan_.kids_of[index(a)] = {kid};
+      state_.note_stop(a, Stop::kClosed);
+      state_.count_event(Event::kRowEnd);
+    }
+    return true;
   }
 
   double kid_distance(int p, int q) const {

@@ -219,10 +219,11 @@ VertexH insert_point(SurfaceMesh& mesh, VertexH from, const VertexData& data,
     const Trace trace = trace_to_point(mesh, from, target);
     if (trace.hit.valid()) {
       const double distance = (mesh.position(trace.hit) - mesh.position(from)).norm();
-      if (distance > 2.0 * reach) {
-        // The segment runs along an edge and ends on it.
+      if (distance > reach * (1.0 + kOnEdge)) {
+        // The vertex lies beyond: the point is in the last face, or on the edge that leads there.
+        if (trace.face.valid()) return insert_in_face(mesh, trace.face, data);
         const HalfedgeH h = mesh.find_halfedge(from, trace.hit);
-        if (h.valid() && edge_takes(mesh, h, target)) return mesh.split_edge(h, data);
+        return h.valid() && edge_takes(mesh, h, target) ? mesh.split_edge(h, data) : VertexH();
       }
       if (!is_core_vertex(mesh, trace.hit) ||
           !remove_core_vertex(mesh, trace.hit, Removal::kForced, limits, tally)) {
