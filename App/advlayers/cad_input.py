@@ -1,0 +1,151 @@
+"""CAD files and FreeCAD objects to the core's model."""
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass
+from typing import Any, Optional
+
+from advlayers.errors import InputError
+
+# Read by the core alone; FreeCAD's own reader is used where FreeCAD is the host, so that faces
+# and edges carry the very numbers that it shows.
+_PLAIN = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+_FREECAD_ONLY = (".fcstd", ".stl")
+
+
+@dataclass
+class Cad:
+    model: Any  # advlayers_core's Model
+    shape: Any = None  # Part.Shape; None without FreeCAD
+    label: str = ""  # of the object in an FCStd file
+    note: str = ""  # how the object was chosen, where there was a choice
+
+
+def check_readable(path: str, freecad: bool) -> None:
+    """Raises InputError for an unknown ending, a missing file, or one that FreeCAD must read."""
+    ending = os.path.splitext(path)[1].lower()
+    if ending not in _PLAIN + _FREECAD_ONLY:
+        known = " ".join(_PLAIN + _FREECAD_ONLY)
+        raise InputError("input", f"has the unknown format {ending!r} ({known}): {path}")
+    if not os.path.exists(path):
+        raise InputError("input", f"does not exist: {path}")
+    if not os.path.isfile(path):
+        raise InputError("input", f"is no file: {path}")
+    if not os.access(path, os.R_OK):
+        raise InputError("input", f"cannot be read: {path}")
+    if ending in _FREECAD_ONLY and not freecad:
+        raise InputError("input", f"needs FreeCAD to be read: run the job with freecadcmd: {path}")
+
+
+def read(core, path: str, wanted: Optional[str], freecad: bool) -> Cad:
+    """Reads the file. Raises InputError naming it."""
+    ending = os.path.splitext(path)[1].lower()
+    if wanted is not None and ending != ".fcstd":
+        raise InputError("object", f"is for FCStd files only, got {wanted!r}")
+    try:
+        if not freecad:
+            return Cad(core.read_file(path))
+        if ending == ".fcstd":
+            return _read_document(core, path, wanted)
+        shape = _read_mesh_as_shape(path) if ending == ".stl" else _read_shape(path)
+    except (RuntimeError, ValueError, OSError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError("input", f"cannot be used: {_one_line(error)}: {path}") from error
+    return Cad(_model(core, shape, path), shape)
+
+
+def global_shape(document_object):
+    """The object's shape where it stands in the document, with the placements of its parents."""
+    import Part
+
+    shape = Part.getShape(document_object).copy()
+    if hasattr(document_object, "getGlobalPlacement"):
+        shape.Placement = document_object.getGlobalPlacement()
+    return shape
+
+
+def _model(core, shape, path: str):
+    if shape.isNull() or not shape.Faces:
+        raise InputError("input", f"holds no face to mesh: {path}")
+    try:
+        return core.read_brep(shape.exportBrepToString())
+    except (RuntimeError, ValueError) as error:
+        raise InputError("input", f"cannot be used: {_one_line(error)}: {path}") from error
+
+
+def _read_shape(path: str):
+    import Part
+
+    return Part.read(path)
+
+
+def _read_mesh_as_shape(path: str):
+    import Mesh
+    import Part
+
+    mesh = Mesh.Mesh(path)
+    if mesh.CountFacets == 0:
+        raise RuntimeError("no triangle in it")
+    mesh.removeDuplicatedPoints()
+    mesh.removeDuplicatedFacets()
+    mesh.fixDegenerations(0.0)
+    shape = Part.Shape()
+    # Points of neighbouring triangles are equal in an STL file up to its single precision.
+    shape.makeShapeFromMesh(mesh.Topology, 1e-6 * max(mesh.BoundBox.DiagonalLength, 1e-3))
+    return shape
+
+
+def _read_document(core, path: str, wanted: Optional[str]) -> Cad:
+    import FreeCAD
+
+    document = FreeCAD.openDocument(path, True)
+    try:
+        chosen, note = _choose(document, wanted, path)
+        shape = global_shape(chosen)
+        return Cad(_model(core, shape, path), shape, chosen.Label, note)
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def _choose(document, wanted: Optional[str], path: str):
+    if wanted is not None:
+        found = document.getObject(wanted)
+        same_label = document.getObjectsByLabel(wanted)
+        if found is None and len(same_label) > 1:
+            names = ", ".join(sorted(entry.Name for entry in same_label))
+            raise InputError("object", f"{wanted!r} is the label of several objects: {names}")
+        chosen = found or (same_label[0] if same_label else None)
+        if chosen is None:
+            raise InputError("object", f"{wanted!r} is neither name nor label of an object: {path}")
+        if not _face_count(chosen):
+            raise InputError("object", f"{wanted!r} has no face to mesh: {path}")
+        return chosen, ""
+    shapes = [(entry, _face_count(entry)) for entry in document.Objects
+              if not [parent for parent in entry.InList if _face_count(parent)]]
+    shapes = [(entry, count) for entry, count in shapes if count]
+    if not shapes:
+        raise InputError("input", f"holds no face to mesh: {path}")
+    chosen, count = max(shapes, key=lambda pair: pair[1])
+    note = ""
+    if len(shapes) > 1:
+        note = (f"of {len(shapes)} shapes in the document, {chosen.Label} ({chosen.Name}, "
+                f"{count} faces) was meshed")
+    return chosen, note
+
+
+def _face_count(document_object) -> int:
+    import Part
+
+    # The planes of an origin have a face each, which is nobody's shape.
+    if document_object.isDerivedFrom("App::OriginFeature"):
+        return 0
+    shape = Part.getShape(document_object)
+    return 0 if shape.isNull() else len(shape.Faces)
+
+
+def _one_line(error: BaseException) -> str:
+    text = " ".join(str(error).split()) or type(error).__name__
+    wrapped = re.fullmatch(r"FreeCAD exception thrown \((.*)\)", text)
+    return wrapped.group(1) if wrapped else text

@@ -1,0 +1,105 @@
+"""A batch job: what a job file says, checked as far as it can be before anything is read."""
+from __future__ import annotations
+
+import json
+import os
+import sys
+from dataclasses import dataclass
+from typing import Any, Dict, Optional, Tuple
+
+from advlayers import cad_input, export
+from advlayers.errors import InputError
+from advlayers.settings_check import check_all
+from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS
+
+
+@dataclass(frozen=True)
+class Job:
+    input_name: str  # as the job file has it
+    input: str  # all paths are absolute
+    object: Optional[str]
+    settings: Dict[str, Any]  # every key of MESH_SETTINGS, checked
+    outputs: Tuple[str, ...]
+    report: Optional[str]
+    strict: bool
+
+
+def read_job(path: str) -> Job:
+    """Reads and checks a job file; relative paths in it are relative to the file.
+
+    Raises InputError.
+    """
+    values = check_all(_read_json(path), JOB_SETTINGS + MESH_SETTINGS)
+    folder = os.path.dirname(os.path.abspath(path))
+    job = Job(
+        input_name=values["input"],
+        input=os.path.normpath(os.path.join(folder, values["input"])),
+        object=values["object"],
+        settings={entry.key: values[entry.key] for entry in MESH_SETTINGS},
+        outputs=tuple(os.path.normpath(os.path.join(folder, out)) for out in values["outputs"]),
+        report=values["report"] and os.path.normpath(os.path.join(folder, values["report"])),
+        strict=values["strict"],
+    )
+    _check_files(job, path)
+    return job
+
+
+def in_freecad() -> bool:
+    """Whether FreeCAD is the host: it is loaded then, and not looked for otherwise."""
+    return "FreeCAD" in sys.modules
+
+
+def _read_json(path: str) -> Dict[str, Any]:
+    def no_doubles(pairs):
+        seen = dict(pairs)
+        if len(seen) < len(pairs):
+            keys = [key for key, _ in pairs]
+            double = next(key for key in keys if keys.count(key) > 1)
+            raise InputError(double, "is given twice")
+        return seen
+
+    try:
+        with open(path, encoding="utf-8-sig") as file:
+            values = json.load(file, object_pairs_hook=no_doubles)
+    except OSError as error:
+        raise InputError("", f"cannot read the job file: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise InputError("", "the job file is not UTF-8 text") from error
+    except RecursionError as error:
+        raise InputError("", "the job file is nested too deeply") from error
+    except json.JSONDecodeError as error:
+        raise InputError(
+            "", f"the job file is no JSON: {error.msg} in line {error.lineno}") from error
+    if not isinstance(values, dict):
+        raise InputError("", "the job file must hold one JSON object")
+    return values
+
+
+def _check_files(job: Job, job_path: str) -> None:
+    cad_input.check_readable(job.input, in_freecad())
+    if not job.outputs and not job.report:
+        raise InputError("outputs", "names no file, and there is no report: nothing to do")
+    taken = {os.path.realpath(job.input): "the input", os.path.realpath(job_path): "the job file"}
+    targets = [(f"outputs[{i}]", path) for i, path in enumerate(job.outputs)]
+    if job.report:
+        targets.append(("report", job.report))
+    for key, path in targets:
+        real = os.path.realpath(path)
+        if real in taken:
+            raise InputError(key, f"would overwrite {taken[real]}: {path}")
+        taken[real] = key
+        _check_target(key, path)
+    for key, path in targets[:len(job.outputs)]:
+        export.check_format(key, path, in_freecad())
+
+
+def _check_target(key: str, path: str) -> None:
+    folder = os.path.dirname(path)
+    if not os.path.isdir(folder):
+        raise InputError(key, f"lies in a folder that does not exist: {folder}")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise InputError(key, f"lies in a folder that cannot be written to: {folder}")
+    if os.path.isdir(path):
+        raise InputError(key, f"is a folder: {path}")
+    if os.path.exists(path) and not os.access(path, os.W_OK):
+        raise InputError(key, f"cannot be overwritten: {path}")

@@ -1,0 +1,109 @@
+"""Runs one checked job from the CAD file to the mesh files."""
+from __future__ import annotations
+
+import json
+import os
+import time
+from typing import Any, Callable, Dict, List, Optional
+
+from advlayers import cad_input, export
+from advlayers.core_access import load_core
+from advlayers.errors import InputError
+from advlayers.job import Job, in_freecad
+from advlayers.meshing import Run, core_settings
+from advlayers.report import has_error, info, make_report, shortfalls
+from advlayers.settings_check import check_names
+
+# Called now and then with what the run does ("meshing") and the core's new reports.
+Watch = Callable[[str, List[Any]], None]
+
+
+def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
+    """Meshes and writes every output and the report, all of them or none; returns the report.
+
+    Raises InputError, or what the core raises.
+    """
+    core = load_core()
+    begin = time.perf_counter()
+    watch("reading", [])
+    cad = cad_input.read(core, job.input, job.object, in_freecad())
+    check_names(job.settings, cad.model.face_count, cad.model.edge_count, job.input_name)
+    seconds = {"read": time.perf_counter() - begin}
+
+    try:
+        mesher = core.Mesher(cad.model, core_settings(core, job.settings, cad.model.diagonal))
+    except core.InvalidInput as error:
+        raise InputError("", str(error)) from error
+    mesh = Run(mesher).finish(lambda reports: watch("meshing", reports))
+    seconds.update(mesh.seconds)
+
+    watch("writing", [])
+    start = time.perf_counter()
+    product = export.Product(mesh, job.settings["groups"])
+    try:
+        _add_document(job, cad, product)
+        seconds["mesh_object"] = time.perf_counter() - start
+        with export.Outputs() as outputs:
+            start = time.perf_counter()
+            for path in job.outputs:
+                writer = export.FORMATS[export.format_of(path)].write
+                outputs.write(path, lambda temporary: writer(temporary, product))
+            seconds["write"] = time.perf_counter() - start
+            seconds["total"] = time.perf_counter() - begin
+            report = _report(job, cad, mesh, seconds)
+            if job.report:
+                outputs.write(job.report, lambda temporary: _write_json(temporary, report))
+            outputs.publish()
+    except OSError as error:
+        raise InputError("outputs", f"cannot be written: {error}") from error
+    finally:
+        _close(product.document)
+    return report
+
+
+def _report(job: Job, cad: cad_input.Cad, mesh, seconds: Dict[str, float]) -> Dict[str, Any]:
+    notes = [info("object-chosen", cad.note)] if cad.note else []
+    report = make_report(job.input_name, mesh, notes, seconds)
+    if job.strict:
+        report["diagnostics"] += shortfalls(report, job.settings)
+    return report
+
+
+def exit_status(report: Dict[str, Any]) -> int:
+    """0: all meshed; 2: meshed, with trouble that the report names."""
+    return 2 if has_error(report) else 0
+
+
+def _add_document(job: Job, cad: cad_input.Cad, product: export.Product) -> None:
+    """Makes what the formats that FreeCAD writes need, and nothing where there is none."""
+    endings = {export.format_of(path) for path in job.outputs}
+    if not any(export.FORMATS[ending].needs == "FreeCAD" for ending in endings):
+        return
+    import FreeCAD
+
+    from advlayers import fem_mesh, layer_mesh
+
+    product.fem_mesh = fem_mesh.to_fem_mesh(product.mesh, product.named_groups)
+    if ".fcstd" not in endings:
+        return
+    product.document = FreeCAD.newDocument("AdvancingLayers", hidden=True)
+    product.document.Label = os.path.splitext(os.path.basename(job.input))[0]
+    source = product.document.addObject("Part::Feature", "Shape")
+    source.Label = cad.label or "Shape"
+    source.Shape = cad.shape
+    mesh_object = layer_mesh.create(source, **job.settings)
+    layer_mesh.set_mesh(mesh_object, product.mesh, product.fem_mesh)
+    product.document.recompute()
+
+
+def _close(document: Optional[Any]) -> None:
+    if document is not None:
+        import FreeCAD
+
+        FreeCAD.closeDocument(document.Name)
+
+
+def _write_json(path: str, report: Dict[str, Any]) -> None:
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(report, file, indent=1, ensure_ascii=False, allow_nan=False)
+        file.write("\n")

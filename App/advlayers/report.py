@@ -1,0 +1,66 @@
+"""The report of a finished mesh, as JSON may hold it."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, Mapping
+
+import advlayers
+
+FIGURES = (
+    "nodes", "quads", "triangles", "quad_percent", "layer_quad_percent", "core_quad_percent",
+    "angles_45_135_percent", "angles_below_20_percent", "angles_above_160_percent",
+    "min_angle", "max_angle", "inverted",
+)
+SECONDS = ("read", "boundary", "triangulate", "layers", "core", "mesh_object", "write", "total")
+# A first height this far from the one asked for, relative to it, is a shortfall.
+HEIGHT_TOLERANCE = 0.1
+
+
+def make_report(input_name: str, mesh, notes: List[Dict[str, Any]],
+                seconds: Mapping[str, float]) -> Dict[str, Any]:
+    report: Dict[str, Any] = {"version": advlayers.__version__, "input": input_name}
+    report.update((key, mesh.figures[key]) for key in FIGURES)
+    report["patches"] = list(mesh.patches)
+    report["walls"] = list(mesh.walls)
+    report["diagnostics"] = list(notes) + list(mesh.diagnostics)
+    report["seconds"] = {key: round(seconds.get(key, 0.0), 6) for key in SECONDS}
+    return report
+
+
+def info(code: str, text: str) -> Dict[str, Any]:
+    """A diagnostic of the whole model that asks for no action."""
+    return {"severity": "info", "code": code, "patch": None, "layer": 0, "point": None,
+            "text": text}
+
+
+def has_error(report: Mapping[str, Any]) -> bool:
+    return any(entry["severity"] == "error" for entry in report["diagnostics"])
+
+
+def shortfalls(report: Mapping[str, Any], settings: Mapping[str, Any]) -> List[Dict[str, Any]]:
+    """An error-level diagnostic for each wall that got fewer layers than asked for, or layers of
+    another first height."""
+    found = []
+    for wall in report["walls"]:
+        name = f"{wall['edge']} on {wall['face']}"
+        wanted = _layers_asked(wall, settings)
+        if wanted and wall["layers"] < wanted:
+            found.append(_shortfall(f"{name} got {wall['layers']} of {wanted} layers"))
+        mean = wall["achieved_first_height"]["mean"]
+        if abs(mean - wall["first_height"]) > HEIGHT_TOLERANCE * wall["first_height"]:
+            found.append(_shortfall(
+                f"{name} got a mean first height of {mean:.6g} mm, not {wall['first_height']:.6g}"))
+    return found
+
+
+def _layers_asked(wall: Mapping[str, Any], settings: Mapping[str, Any]) -> int:
+    layers = settings["layers"]
+    if settings["walls"] != "all":
+        for spec in settings["walls"]:
+            on_face = not spec["faces"] or wall["face"] in spec["faces"]
+            if wall["edge"] in spec["edges"] and on_face and spec["layers"] is not None:
+                layers = spec["layers"]
+    return layers if isinstance(layers, int) else 0
+
+
+def _shortfall(text: str) -> Dict[str, Any]:
+    return {**info("shortfall", text), "severity": "error"}

@@ -1,0 +1,192 @@
+"""Checks values against the table of settings, whichever way they came in."""
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from typing import Any, Callable, Dict, Iterable, Mapping, Tuple
+
+from advlayers.errors import InputError
+from advlayers.settings_table import WALL_SETTINGS, Setting, range_text
+
+_NAME = re.compile(r"(Face|Edge)([1-9][0-9]*)")
+# Names that the mesh gives to groups by itself.
+_OWN_GROUP = re.compile(r"(Face|Edge|Layer)[0-9]+|Core")
+
+
+def check_all(values: Mapping[str, Any], table: Tuple[Setting, ...], where: str = "") -> Dict:
+    """Returns every setting of the table, checked, with defaults filled in.
+
+    Raises InputError for an unknown key, a missing one, or a value out of its range.
+    """
+    known = {entry.key: entry for entry in table}
+    for key in values:
+        if key not in known:
+            close = difflib.get_close_matches(str(key), known, n=1)
+            hint = f" (did you mean {close[0]}?)" if close else ""
+            raise InputError(f"{where}{key}", f"is no known key{hint}")
+    checked = {}
+    for key, entry in known.items():
+        if key not in values and entry.required:
+            raise InputError(f"{where}{key}", "is missing")
+        if key not in values or (values[key] is None and entry.default is None
+                                 and not entry.required):
+            checked[key] = entry.default
+        else:
+            checked[key] = CHECKS[entry.kind](f"{where}{key}", values[key], entry)
+    return checked
+
+
+def check_names(settings: Mapping[str, Any], faces: int, edges: int, what: str) -> None:
+    """Raises InputError where a setting names a face or an edge that the model does not have."""
+    def check(key: str, names: Iterable[str]) -> None:
+        for name in names:
+            kind, number = _NAME.fullmatch(name).groups()
+            count = faces if kind == "Face" else edges
+            if int(number) > count:
+                raise InputError(key, f"names {name}, but {what} has {count} {kind.lower()}s")
+
+    if settings["faces"] != "all":
+        check("faces", settings["faces"])
+    if settings["walls"] != "all":
+        for i, wall in enumerate(settings["walls"]):
+            check(f"walls[{i}].edges", wall["edges"])
+            check(f"walls[{i}].faces", wall["faces"])
+    check("match", settings["match"])
+    check("off", settings["off"])
+    for group, names in settings["groups"].items():
+        check(f"groups.{group}", names)
+        for name in names:
+            if name.startswith("Face") and settings["faces"] not in ("all", ()):
+                if name not in settings["faces"]:
+                    raise InputError(f"groups.{group}", f"names {name}, which is not in faces")
+
+
+def _shown(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _number(key: str, value: Any, entry: Setting) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise InputError(key, f"must be a number, got {_shown(value)}")
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise InputError(key, f"must be a finite number, got {_shown(value)}")
+    _check_range(key, number, entry)
+    return number
+
+
+def _check_range(key: str, number: float, entry: Setting) -> None:
+    too_low = entry.low is not None and (
+        number <= entry.low if entry.low_open else number < entry.low)
+    too_high = entry.high is not None and (
+        number >= entry.high if entry.high_open else number > entry.high)
+    if too_low or too_high:
+        raise InputError(key, f"must be {range_text(entry)}, got {number:g}")
+
+
+def _count(key: str, value: Any, entry: Setting) -> int:
+    # A whole number may be written 3.0: JSON makes no difference between the two.
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value // 1:
+        raise InputError(key, f"must be a whole number, got {_shown(value)}")
+    _number(key, value, entry)
+    if value > 1_000_000:
+        raise InputError(key, f"must be at most 1000000, got {_shown(value)}")
+    return int(value)
+
+
+def _layers(key: str, value: Any, entry: Setting):
+    if value == "isotropic":
+        return value
+    if isinstance(value, str):
+        raise InputError(key, f'must be a whole number or "isotropic", got {_shown(value)}')
+    return _count(key, value, entry)
+
+
+def _choice(key: str, value: Any, entry: Setting) -> str:
+    if value not in entry.choices:
+        allowed = " or ".join(f'"{choice}"' for choice in entry.choices)
+        raise InputError(key, f"must be {allowed}, got {_shown(value)}")
+    return value
+
+
+def _flag(key: str, value: Any, _entry: Setting) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(key, f"must be true or false, got {_shown(value)}")
+    return value
+
+
+def _text(key: str, value: Any, _entry: Setting) -> str:
+    if not isinstance(value, str) or not value or "\0" in value:
+        raise InputError(key, f"must be a text, got {_shown(value)}")
+    return value
+
+
+def _paths(key: str, value: Any, entry: Setting) -> Tuple[str, ...]:
+    if not isinstance(value, (list, tuple)):
+        raise InputError(key, f"must be a list of files, got {_shown(value)}")
+    return tuple(_text(f"{key}[{i}]", item, entry) for i, item in enumerate(value))
+
+
+def _names(key: str, value: Any, kinds: Tuple[str, ...], empty: bool) -> Tuple[str, ...]:
+    examples = " or ".join(f'"{kind}1"' for kind in kinds)
+    if not isinstance(value, (list, tuple)):
+        raise InputError(key, f"must be a list of names like {examples}, got {_shown(value)}")
+    for name in value:
+        match = _NAME.fullmatch(name) if isinstance(name, str) else None
+        if not match or match.group(1) not in kinds:
+            raise InputError(key, f"holds {_shown(name)}, which is no name like {examples}")
+        if list(value).count(name) > 1:
+            raise InputError(key, f"names {name} twice")
+    if not value and not empty:
+        raise InputError(key, "must not be empty")
+    return tuple(value)
+
+
+def _faces(key: str, value: Any, _entry: Setting):
+    return "all" if value == "all" else _names(key, value, ("Face",), empty=False)
+
+
+def _faces_only(key: str, value: Any, _entry: Setting) -> Tuple[str, ...]:
+    return _names(key, value, ("Face",), empty=True)
+
+
+def _edges(key: str, value: Any, entry: Setting) -> Tuple[str, ...]:
+    return _names(key, value, ("Edge",), empty=not entry.required)
+
+
+def _walls(key: str, value: Any, _entry: Setting):
+    if value == "all":
+        return value
+    if not isinstance(value, (list, tuple)):
+        raise InputError(key, f'must be "all" or a list of walls, got {_shown(value)}')
+    walls = []
+    for i, wall in enumerate(value):
+        if not isinstance(wall, dict):
+            raise InputError(f"{key}[{i}]", f"must be an object, got {_shown(wall)}")
+        walls.append(check_all(wall, WALL_SETTINGS, where=f"{key}[{i}]."))
+    return tuple(walls)
+
+
+def _groups(key: str, value: Any, _entry: Setting) -> Dict[str, Tuple[str, ...]]:
+    if not isinstance(value, dict):
+        raise InputError(key, f"must be an object of names and lists, got {_shown(value)}")
+    groups = {}
+    for name, members in value.items():
+        if not isinstance(name, str) or not name.strip() or not name.isprintable():
+            raise InputError(key, f"holds the name {_shown(name)}, which cannot be written")
+        if _OWN_GROUP.fullmatch(name):
+            raise InputError(f"{key}.{name}", "is a name that the mesh itself gives to a group")
+        groups[name] = _names(f"{key}.{name}", members, ("Face", "Edge"), empty=False)
+    return groups
+
+
+CHECKS: Dict[str, Callable[[str, Any, Setting], Any]] = {
+    "number": _number, "count": _count, "layers": _layers, "choice": _choice, "flag": _flag,
+    "text": _text, "path": _text, "paths": _paths, "faces": _faces, "faces_only": _faces_only,
+    "edges": _edges, "walls": _walls, "groups": _groups,
+}

@@ -1,0 +1,154 @@
+"""The one table of settings: source of job keys, FreeCAD properties, tooltips and reference page.
+
+Lengths are in mm and angles in degrees throughout.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Optional, Tuple
+
+
+@dataclass(frozen=True)
+class Setting:
+    key: str  # in jobs and in Python
+    kind: str  # what values it takes, see settings_check.CHECKS
+    default: Any  # None: worked out from the model, or nothing
+    doc: str  # one sentence or two for tooltip and reference page
+    unit: str = ""
+    low: Optional[float] = None
+    high: Optional[float] = None
+    low_open: bool = False  # low itself is not allowed
+    high_open: bool = False
+    choices: Tuple[str, ...] = ()
+    property: str = ""  # name of the FreeCAD property; empty: none
+    property_type: str = ""
+    group: str = ""  # of the property editor
+    required: bool = False
+
+
+MESH_SETTINGS = (
+    Setting(
+        "faces", "faces", "all",
+        "The CAD faces to mesh, by name, or all of them.",
+        property="Faces", property_type="App::PropertyStringList", group="Geometry",
+    ),
+    Setting(
+        "feature_angle", "number", 20.0,
+        "Faces that meet at an angle below this are meshed as one patch; layers run across the "
+        "edge between them. 0 makes every CAD face a patch of its own.",
+        unit="deg", low=0.0, high=180.0, high_open=True,
+        property="FeatureAngle", property_type="App::PropertyAngle", group="Geometry",
+    ),
+    Setting(
+        "size", "number", None,
+        "Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the "
+        "shape's bounding box.",
+        unit="mm", low=0.0, low_open=True,
+        property="Size", property_type="App::PropertyLength", group="Size",
+    ),
+    Setting(
+        "curvature_angle", "number", 20.0,
+        "The most that one element edge may turn along a curved edge or face; finer than size "
+        "where the shape is curved.",
+        unit="deg", low=0.0, low_open=True, high=90.0,
+        property="CurvatureAngle", property_type="App::PropertyAngle", group="Size",
+    ),
+    Setting(
+        "first_height", "number", None,
+        "Height of the first layer, measured along the surface. Default: 1/10 of size.",
+        unit="mm", low=0.0, low_open=True,
+        property="FirstHeight", property_type="App::PropertyLength", group="Layers",
+    ),
+    Setting(
+        "growth", "number", 1.2,
+        "Each layer is this much higher than the one before it.",
+        low=1.0,
+        property="Growth", property_type="App::PropertyFloat", group="Layers",
+    ),
+    Setting(
+        "layers", "layers", 0,
+        "Number of layers; 0 grows them until the fronts close; \"isotropic\" grows each until "
+        "its height reaches the spacing along the wall.",
+        low=0,
+        property="Layers", property_type="App::PropertyString", group="Layers",
+    ),
+    Setting(
+        "walls", "walls", "all",
+        "The boundary edges that layers grow from: all, or a list of walls with their own "
+        "first_height, growth and layers.",
+        property="Walls", property_type="App::PropertyString", group="Layers",
+    ),
+    Setting(
+        "match", "edges", (),
+        "Boundary edges that layers run along, where walls alone do not tell.",
+        property="MatchEdges", property_type="App::PropertyStringList", group="Layers",
+    ),
+    Setting(
+        "off", "edges", (),
+        "Boundary edges without layers, where walls alone do not tell.",
+        property="OffEdges", property_type="App::PropertyStringList", group="Layers",
+    ),
+    Setting(
+        "core", "choice", "quads",
+        "What fills the part that no layer reaches: quads where they come out well, or triangles.",
+        choices=("quads", "triangles"),
+        property="Core", property_type="App::PropertyEnumeration", group="Size",
+    ),
+    Setting(
+        "threads", "count", 0,
+        "Threads to mesh with; 0 uses all processors. The mesh does not depend on it.",
+        low=0,
+        property="Threads", property_type="App::PropertyInteger", group="Run",
+    ),
+    Setting(
+        "groups", "groups", {},
+        "Named groups for boundary conditions: a name and the CAD faces or edges in it.",
+        property="Groups", property_type="App::PropertyMap", group="Geometry",
+    ),
+)
+
+JOB_SETTINGS = (
+    Setting(
+        "input", "path", None,
+        "The CAD file: .step .stp .iges .igs .brep .brp .FCStd .stl.", required=True,
+    ),
+    Setting(
+        "object", "text", None,
+        "Name or label of the object to mesh in an FCStd file. Default: the only top-level shape, "
+        "of several the one with most faces.",
+    ),
+    Setting("outputs", "paths", (), "The files to write; the ending says the format."),
+    Setting("report", "path", None, "The file to write the report to, as JSON."),
+    Setting(
+        "strict", "flag", False,
+        "Makes a shortfall of layers or heights an error: the job ends with status 2.",
+    ),
+)
+
+# What one wall of a list of walls may say; a number that is not given is that of the job.
+WALL_SETTINGS = (
+    Setting("edges", "edges", None, "The edges of the wall.", required=True),
+    Setting(
+        "faces", "faces_only", (),
+        "Layers grow on these faces only. Default: on every side of the edges.",
+    ),
+    Setting("first_height", "number", None, "As above, for this wall.", unit="mm", low=0.0,
+            low_open=True),
+    Setting("growth", "number", None, "As above, for this wall.", low=1.0),
+    Setting("layers", "count", None, "As above, for this wall: a number.", low=0),
+)
+
+
+def setting(key: str, table: Tuple[Setting, ...] = MESH_SETTINGS) -> Setting:
+    return next(entry for entry in table if entry.key == key)
+
+
+def range_text(entry: Setting) -> str:
+    """The allowed range in words: "> 0 mm", ">= 0 and < 180 deg"; empty without a bound."""
+    unit = f" {entry.unit}" if entry.unit else ""
+    bounds = []
+    if entry.low is not None:
+        bounds.append(f"{'>' if entry.low_open else '>='} {entry.low:g}")
+    if entry.high is not None:
+        bounds.append(f"{'<' if entry.high_open else '<='} {entry.high:g}")
+    return " and ".join(bounds) + unit if bounds else ""

@@ -1,0 +1,1 @@
+"""The window's side of Advancing Layers: commands, panels and view providers."""

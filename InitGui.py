@@ -1,0 +1,31 @@
+"""FreeCAD runs this when its window starts: offers the workbench, loads nothing yet.
+
+FreeCAD executes the file inside a function of its own, so names of this file are not seen from
+the methods below: every import stands inside the method that needs it.
+"""
+import FreeCADGui
+
+
+class AdvancingLayersWorkbench(FreeCADGui.Workbench):
+    MenuText = "Advancing Layers"
+    ToolTip = "Quad-dominant surface meshes that grow in layers from the edges of CAD faces"
+
+    def __init__(self):
+        import os
+        import advlayers
+
+        root = os.path.dirname(os.path.dirname(os.path.dirname(advlayers.__file__)))
+        self.__class__.Icon = os.path.join(root, "Resources", "icons", "AdvancingLayers.svg")
+
+    def GetClassName(self):
+        return "Gui::PythonWorkbench"
+
+    def Initialize(self):
+        from advlayers_gui import commands
+
+        names = commands.register()
+        self.appendToolbar("Advancing Layers", names)
+        self.appendMenu("Advancing Layers", names)
+
+
+FreeCADGui.addWorkbench(AdvancingLayersWorkbench())

@@ -1,0 +1,99 @@
+"""Draws a mesh file: mesh_picture.py mesh.vtu picture.png [--edge | --top]
+
+The whole mesh, layers coloured; below it a view of the region that the first layers are in.
+Needs python3-vtk9 and a display (xvfb-run will do).
+"""
+import sys
+
+import vtk
+
+WIDTH, HEIGHT = 1600, 1200
+CORE = (0.93, 0.93, 0.90)
+FIRST, LAST = (0.16, 0.38, 0.63), (0.80, 0.89, 0.95)  # colours of the first and the last layer
+
+
+def read(path):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def layer_colours(layers):
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(layers + 1)
+    table.SetTableValue(0, *CORE, 1.0)
+    for layer in range(1, layers + 1):
+        t = (layer - 1) / max(layers - 1, 1)
+        table.SetTableValue(layer, *(a + t * (b - a) for a, b in zip(FIRST, LAST)), 1.0)
+    table.SetRange(-0.5, layers + 0.5)
+    table.Build()
+    return table
+
+
+def actor(grid):
+    grid.GetCellData().SetActiveScalars("layer")
+    layers = int(grid.GetCellData().GetArray("layer").GetRange()[1])
+    mapper = vtk.vtkDataSetMapper()
+    mapper.SetInputData(grid)
+    mapper.SetLookupTable(layer_colours(layers))
+    mapper.SetScalarModeToUseCellData()
+    mapper.UseLookupTableScalarRangeOn()
+    drawn = vtk.vtkActor()
+    drawn.SetMapper(mapper)
+    look = drawn.GetProperty()
+    look.EdgeVisibilityOn()
+    look.SetEdgeColor(0.10, 0.12, 0.15)
+    look.SetLineWidth(1.3)
+    look.SetAmbient(0.55)
+    look.SetDiffuse(0.5)
+    return drawn
+
+
+def view(grid, box, direction, up, zoom, focus=None):
+    """A renderer for one part of the picture; `box` is (left, bottom, right, top) in [0, 1]."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    renderer.SetViewport(*box)
+    renderer.AddActor(actor(grid))
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    bounds = grid.GetBounds()
+    centre = focus or [0.5 * (bounds[i] + bounds[i + 1]) for i in (0, 2, 4)]
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(c + d * grid.GetLength() for c, d in zip(centre, direction)))
+    camera.SetViewUp(*up)
+    renderer.ResetCamera()
+    if focus:
+        camera.SetFocalPoint(*focus)
+        camera.SetPosition(*(c + d * grid.GetLength() for c, d in zip(focus, direction)))
+    camera.Zoom(zoom)
+    renderer.ResetCameraClippingRange()
+    return renderer
+
+
+def save(window, path):
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
+
+
+def main(mesh_path, picture_path):
+    grid = read(mesh_path)
+    bounds = grid.GetBounds()
+    corner = [bounds[1], 0.5 * (bounds[2] + bounds[3]), bounds[5]]
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(WIDTH, HEIGHT)
+    window.AddRenderer(view(grid, (0, 0, 0.6, 1), (-0.55, 0.75, 0.55), (0, 1, 0), 1.35))
+    window.AddRenderer(view(grid, (0.6, 0.5, 1, 1), (0, 0, 1), (0, 1, 0), 1.5))
+    window.AddRenderer(view(grid, (0.6, 0, 1, 0.5), (0.3, 0.8, 0.5), (0, 1, 0), 6.0, corner))
+    window.Render()
+    save(window, picture_path)
+
+
+main(*sys.argv[1:3])

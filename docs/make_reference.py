@@ -1,0 +1,102 @@
+"""Writes docs/settings.md from the tables that the program itself follows.
+
+Run by `./dev docs`; the tests compare the page with what this would write.
+"""
+import os
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(ROOT, "App"))
+
+PAGE = os.path.join(ROOT, "docs", "settings.md")
+
+_HEAD = """# Settings
+
+*Written by `./dev docs` from `App/advlayers/settings_table.py` and `App/advlayers/export.py`:
+change those, not this page.*
+
+Lengths are in mm and angles in degrees. Faces and edges have the names that FreeCAD shows: `Face3`,
+`Edge7`. In a job file an unknown key is an error. In Python the mesh settings are the keywords of
+`advlayers.make_layer_mesh`, where lengths and angles may also be texts with a unit; in a document
+they are properties of the mesh object.
+"""
+
+_VALUES = {
+    "faces": '`"all"` or a list of names',
+    "faces_only": "list of names",
+    "edges": "list of names",
+    "number": "number",
+    "count": "whole number",
+    "layers": 'whole number or `"isotropic"`',
+    "walls": '`"all"` or a list of walls',
+    "groups": "object: name to list of names",
+    "flag": "true or false",
+    "text": "text",
+    "path": "path",
+    "paths": "list of paths",
+}
+
+
+def page():
+    from advlayers import settings_table as table
+
+    parts = [
+        _HEAD, "## Job files", "", _table(table.JOB_SETTINGS, properties=False), "",
+        "Relative paths are relative to the job file. Of several shapes in an FCStd file the "
+        "report names the one taken.", "",
+        "## Mesh", "", _table(table.MESH_SETTINGS, properties=True), "",
+        "## One wall of a list of walls", "", _table(table.WALL_SETTINGS, properties=False), "",
+        "With a list of walls, other boundary edges that touch a wall are match edges (layers run "
+        "along them), the rest are off; `match` and `off` override that.", "",
+        "## Output formats", "", _formats(), "",
+        "Element groups: `FaceN` and `LayerN` or `Core`; node groups: `EdgeN`; and those of the "
+        "setting `groups`. Nodes and elements are numbered from 1, quads before triangles.", "",
+    ]
+    return "\n".join(parts)
+
+
+def _table(settings, properties):
+    head = ["key", "value", "default", "range"] + ["property"] * properties + ["meaning"]
+    rows = [head, ["---"] * len(head)]
+    for entry in settings:
+        row = [f"`{entry.key}`", _value(entry), _default(entry), _range(entry)]
+        row += [f"`{entry.property}`"] * properties
+        rows.append(row + [entry.doc])
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
+
+
+def _value(entry):
+    if entry.kind == "choice":
+        return " or ".join(f'`"{choice}"`' for choice in entry.choices)
+    return _VALUES[entry.kind] + (f" [{entry.unit}]" if entry.unit else "")
+
+
+def _default(entry):
+    if entry.required:
+        return "required"
+    if entry.default is None or entry.default in ((), {}):
+        return ""
+    if isinstance(entry.default, bool):
+        return str(entry.default).lower()
+    return f'`"{entry.default}"`' if isinstance(entry.default, str) else f"{entry.default:g}"
+
+
+def _range(entry):
+    from advlayers.settings_table import range_text
+
+    return range_text(entry)
+
+
+def _formats():
+    from advlayers.export import FORMATS
+
+    rows = ["| ending | needs | keeps |", "| --- | --- | --- |"]
+    for ending, entry in FORMATS.items():
+        shown = ".FCStd" if ending == ".fcstd" else ending
+        rows.append(f"| `{shown}` | {entry.needs} | {entry.keeps} |")
+    return "\n".join(rows)
+
+
+if __name__ == "__main__":
+    with open(PAGE, "w", encoding="utf-8") as file:
+        file.write(page())

@@ -1,0 +1,77 @@
+"""Bad input: exit status 1, exactly one line on stderr that names file and key, nothing written."""
+import json
+
+import pytest
+
+from conftest import files
+
+GOOD = {"input": "box.step", "size": 5.0, "first_height": 0.5}
+
+BAD = {
+    "missing file": ({"input": "none.step"}, "input"),
+    "unreadable STEP": ({"input": "garbage.step"}, "input"),
+    "STEP file of no length": ({"input": "zero.step"}, "input"),
+    "unreadable BREP": ({"input": "garbage.brep"}, "input"),
+    "empty shape": ({"input": "empty.brep"}, "input"),
+    "shape without a face": ({"input": "line.brep"}, "input"),
+    "unreadable FCStd": ({"input": "garbage.FCStd"}, "input"),
+    "unreadable STL": ({"input": "garbage.stl"}, "input"),
+    "FCStd without a shape": ({"input": "nothing.FCStd"}, "input"),
+    "object that is not there": ({"input": "two.FCStd", "object": "Huge"}, "Huge"),
+    "object of a STEP file": ({"object": "Box"}, "object"),
+    "face that is not there": ({"faces": ["Face99"]}, "Face99"),
+    "edge that is not there": ({"walls": [{"edges": ["Edge99"]}]}, "Edge99"),
+    "group of a face that is not there": ({"groups": {"in": ["Face99"]}}, "groups.in"),
+    "negative height": ({"first_height": -0.5}, "first_height"),
+    "zero size": ({"size": 0}, "size"),
+    "growth below 1": ({"growth": 0.5}, "growth"),
+    "angle out of range": ({"feature_angle": 180.0}, "feature_angle"),
+    "unknown key": ({"first_hight": 0.5}, "first_hight"),
+    "text for a number": ({"growth": "1.2"}, "growth"),
+    "truth for a number": ({"layers": True}, "layers"),
+    "one name for a list": ({"faces": "Face1"}, "faces"),
+    "folder that is not there": ({"outputs": ["none/box.vtu"]}, "outputs"),
+    "unknown format": ({"outputs": ["box.vtu", "box.xyz"]}, "outputs[1]"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_one_line_and_nothing_written(batch, job, tmp_path, case):
+    values, key = BAD[case]
+    if not batch.freecad and values.get("input", "").lower().endswith((".fcstd", ".stl")):
+        key = "freecadcmd"  # the remedy
+    path = job(**{**GOOD, "outputs": ["box.vtu"], "report": "report.json", **values})
+    ran = batch(path)
+    assert ran.status == 1
+    assert len(ran.lines) == 1, ran.stderr
+    assert path in ran.lines[0] and key in ran.lines[0]
+    assert files(tmp_path) == []
+
+
+def test_the_job_file_itself(batch, tmp_path):
+    (tmp_path / "broken.json").write_text("{")
+    for name in ("broken.json", "none.json"):
+        ran = batch(str(tmp_path / name))
+        assert ran.status == 1 and len(ran.lines) == 1 and name in ran.lines[0]
+
+
+def test_no_job_at_all(batch):
+    ran = batch()
+    assert ran.status == 1 and len(ran.lines) == 1 and "job.json" in ran.lines[0]
+
+
+def test_older_files_stay(batch, job, tmp_path):
+    (tmp_path / "box.vtu").write_text("old")
+    ran = batch(job(**{**GOOD, "outputs": ["box.vtu"], "faces": ["Face99"]}))
+    assert ran.status == 1
+    assert (tmp_path / "box.vtu").read_text() == "old" and files(tmp_path) == ["box.vtu"]
+
+
+def test_the_other_jobs_run(batch, job, tmp_path):
+    bad = job("bad.json", **{**GOOD, "growth": 0.5, "report": "bad.report"})
+    good = job("good.json", **GOOD, report="good.report")
+    ran = batch(bad, good)
+    assert ran.status == 1
+    assert len(ran.lines) == 1 and bad in ran.lines[0]
+    assert json.loads((tmp_path / "good.report").read_text())["inverted"] == 0
+    assert not (tmp_path / "bad.report").exists()

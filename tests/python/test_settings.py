@@ -1,0 +1,101 @@
+"""The table of settings and the checks that read it."""
+import math
+
+import pytest
+
+from advlayers.errors import InputError
+from advlayers.settings_check import CHECKS, check_all, check_names
+from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS, WALL_SETTINGS, range_text, setting
+
+EVERY_SETTING = MESH_SETTINGS + JOB_SETTINGS + WALL_SETTINGS
+
+
+@pytest.mark.parametrize("entry", EVERY_SETTING, ids=lambda entry: entry.key)
+def test_every_entry_is_complete(entry):
+    assert entry.kind in CHECKS
+    assert entry.doc.endswith((".", ".stl.")) and len(entry.doc) > 10
+    assert not entry.choices or entry.default in entry.choices
+
+
+@pytest.mark.parametrize("entry", MESH_SETTINGS, ids=lambda entry: entry.key)
+def test_every_mesh_setting_has_a_property(entry):
+    assert entry.property and entry.property_type.startswith("App::Property") and entry.group
+
+
+def test_keys_and_properties_are_unique():
+    keys = [entry.key for entry in MESH_SETTINGS + JOB_SETTINGS]
+    properties = [entry.property for entry in MESH_SETTINGS]
+    assert len(set(keys)) == len(keys)
+    assert len(set(properties)) == len(properties)
+
+
+def test_defaults_pass_their_own_check():
+    values = {entry.key: entry.default for entry in MESH_SETTINGS if entry.default is not None}
+    assert check_all(values, MESH_SETTINGS) == check_all({}, MESH_SETTINGS)
+
+
+@pytest.mark.parametrize("key, value, words", [
+    ("growth", 0.5, "growth must be >= 1, got 0.5"),
+    ("growth", "1.2", "growth must be a number"),
+    ("growth", True, "growth must be a number"),
+    ("growth", math.nan, "finite"),
+    ("growth", 10 ** 400, "finite"),
+    ("first_height", -1, "first_height must be > 0 mm, got -1"),
+    ("first_height", 0.0, "got 0"),
+    ("size", math.inf, "finite"),
+    ("size", [1.0], "size must be a number"),
+    ("growth", None, "growth must be a number"),
+    ("layers", 2.5, "whole number"),
+    ("layers", -1, "layers must be >= 0"),
+    ("layers", "many", "isotropic"),
+    ("layers", False, "whole number"),
+    ("feature_angle", 180, "< 180"),
+    ("core", "hexes", '"quads" or "triangles"'),
+    ("core", ["quads"], '"quads" or "triangles"'),
+    ("threads", 1e300, "at most"),
+    ("faces", "Face1", "list of names"),
+    ("faces", [], "empty"),
+    ("faces", ["Edge1"], "no name like"),
+    ("faces", ["Face0"], "no name like"),
+    ("faces", ["Face1", "Face1"], "twice"),
+    ("faces", [1], "no name like"),
+    ("walls", "none", '"all" or a list'),
+    ("walls", [{"edges": []}], "walls[0].edges must not be empty"),
+    ("walls", [{"faces": ["Face1"]}], "walls[0].edges is missing"),
+    ("walls", [{"edges": ["Edge1"], "growth": 0.9}], "walls[0].growth must be >= 1"),
+    ("walls", [{"edges": ["Edge1"], "height": 1}], "walls[0].height is no known key"),
+    ("match", "Edge1", "list of names"),
+    ("groups", {"Face1": ["Face1"]}, "the mesh itself"),
+    ("groups", {"a\nb": ["Face1"]}, "cannot be written"),
+    ("groups", {"inlet": "Face1"}, "groups.inlet must be a list"),
+    ("growht", 1.2, "growht is no known key (did you mean growth?)"),
+])
+def test_bad_values_are_named(key, value, words):
+    with pytest.raises(InputError) as error:
+        check_all({key: value}, MESH_SETTINGS)
+    assert words in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_whole_numbers_may_be_written_with_a_point():
+    layers = check_all({"layers": 3.0}, MESH_SETTINGS)["layers"]
+    assert layers == 3 and isinstance(layers, int)
+
+
+@pytest.mark.parametrize("values, words", [
+    ({"faces": ["Face7"]}, "faces names Face7, but box has 6 faces"),
+    ({"off": ["Edge13"]}, "off names Edge13, but box has 12 edges"),
+    ({"walls": [{"edges": ["Edge1"], "faces": ["Face9"]}]}, "walls[0].faces names Face9"),
+    ({"groups": {"inlet": ["Face99"]}}, "groups.inlet names Face99"),
+    ({"groups": {"inlet": ["Face2"]}, "faces": ["Face1"]}, "which is not in faces"),
+])
+def test_names_that_the_model_does_not_have(values, words):
+    with pytest.raises(InputError) as error:
+        check_names(check_all(values, MESH_SETTINGS), 6, 12, "box")
+    assert words in str(error.value)
+
+
+def test_ranges_in_words():
+    assert range_text(setting("feature_angle")) == ">= 0 and < 180 deg"
+    assert range_text(setting("size")) == "> 0 mm"
+    assert range_text(setting("core")) == ""
