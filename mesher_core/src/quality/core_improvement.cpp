@@ -1,0 +1,23 @@
+#include "quality/core_improvement.h"
+
+#include "quality/core_flips.h"
+#include "quality/core_region.h"
+#include "quality/star_smoothing.h"
+
+namespace advlayers {
+namespace {
+
+constexpr int kRounds = 3;
+constexpr int kSweepsPerRound = 3;
+
+}  // namespace
+
+void improve_core(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
+  const std::vector<VertexH> free = free_vertices(mesh);
+  for (int round = 0; round < kRounds; ++round) {
+    flip_core(mesh, cancel);
+    smooth_stars(mesh, surface, free, kSweepsPerRound, cancel);
+  }
+}
+
+}  // namespace advlayers

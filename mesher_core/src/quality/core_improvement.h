@@ -1,0 +1,16 @@
+// Improves the triangles that no layer has reached, once the layers have stopped: flips for the
+// larger minimum angle (paper, II.D), splits and collapses towards a size graded from the edges
+// around the core, tangential smoothing with projection.
+// Fronts, parent-kid edges and the CAD's boundary stay as they are.
+#pragma once
+
+#include "base/cancel.h"
+#include "geometry/patch_surface.h"
+#include "mesh/surface_mesh.h"
+
+namespace advlayers {
+
+// The mesh is a valid mesh of the patch before and after. Throws Cancelled.
+void improve_core(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel);
+
+}  // namespace advlayers

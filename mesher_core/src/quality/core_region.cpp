@@ -1,0 +1,32 @@
+#include "quality/core_region.h"
+
+namespace advlayers {
+
+bool is_free(const SurfaceMesh& mesh, VertexH v) {
+  const VertexData& data = mesh.data(v);
+  if (!mesh.alive(v) || data.support != Support::kPatch || data.layer != 0) return false;
+  const HalfedgeH first = mesh.outgoing(v);
+  if (!first.valid()) return false;
+  HalfedgeH h = first;
+  do {
+    if (mesh.is_border(h) || mesh.frozen(h) || !is_core(mesh, mesh.face(h))) return false;
+    h = mesh.rotate_cw(h);
+  } while (h != first);
+  return true;
+}
+
+std::vector<VertexH> free_vertices(const SurfaceMesh& mesh) {
+  std::vector<VertexH> free;
+  for (std::size_t i = 0; i < mesh.vertex_capacity(); ++i) {
+    if (is_free(mesh, VertexH(i))) free.emplace_back(i);
+  }
+  return free;
+}
+
+bool is_core_edge(const SurfaceMesh& mesh, HalfedgeH h) {
+  const HalfedgeH t = SurfaceMesh::twin(h);
+  return mesh.alive(h) && !mesh.frozen(h) && !mesh.is_border(h) && !mesh.is_border(t) &&
+         is_core(mesh, mesh.face(h)) && is_core(mesh, mesh.face(t));
+}
+
+}  // namespace advlayers

@@ -1,0 +1,25 @@
+// What of a patch's mesh belongs to the core: the faces that no layer has reached, and the
+// vertices inside it that may move. Fronts, parent-kid edges and the CAD's boundary stay.
+#pragma once
+
+#include <vector>
+
+#include "mesh/surface_mesh.h"
+
+namespace advlayers {
+
+// True where the vertex lies inside the patch, among core faces only, on no frozen edge.
+bool is_free(const SurfaceMesh& mesh, VertexH v);
+
+// The core's free vertices in the order of their handles.
+std::vector<VertexH> free_vertices(const SurfaceMesh& mesh);
+
+inline bool is_triangle(const SurfaceMesh& mesh, HalfedgeH h) {
+  return mesh.next(mesh.next(mesh.next(h))) == h;
+}
+inline bool is_core(const SurfaceMesh& mesh, FaceH f) { return mesh.data(f).layer == 0; }
+
+// Both faces beside the edge belong to the core, and the edge may be changed.
+bool is_core_edge(const SurfaceMesh& mesh, HalfedgeH h);
+
+}  // namespace advlayers

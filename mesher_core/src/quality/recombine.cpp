@@ -1,0 +1,100 @@
+#include "quality/recombine.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "quality/core_region.h"
+#include "quality/element_measures.h"
+#include "quality/matching.h"
+#include "quality/star_smoothing.h"
+#include "quality/triangle_walk.h"
+
+namespace advlayers {
+namespace {
+
+// A pair is refused where a corner is below 30 or above 150 degrees (paper, II.H).
+constexpr double kLeastQuality = 0.1339745962;  // 1 - cos 30
+
+constexpr int kSweeps = 5;
+constexpr int kRounds = 4;
+
+struct Candidates {
+  std::vector<HalfedgeH> diagonal;  // one per pair edge
+  std::vector<PairEdge> pairs;
+  std::vector<FaceH> face;  // by node of the pair graph
+};
+
+Vec3 mean_normal(const SurfaceMesh& mesh, HalfedgeH h) {
+  return mesh.data(mesh.from(h)).normal + mesh.data(mesh.to(h)).normal;
+}
+
+double pair_quality(const SurfaceMesh& mesh, HalfedgeH h) {
+  const HalfedgeH t = SurfaceMesh::twin(h);
+  return right_angle_quality(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(t))),
+                             mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h))),
+                             mean_normal(mesh, h));
+}
+
+Candidates find_candidates(const SurfaceMesh& mesh) {
+  Candidates found;
+  std::vector<int> node(mesh.face_capacity(), -1);
+  const auto node_of = [&](FaceH f) {
+    int& number = node[f.index()];
+    if (number < 0) {
+      number = static_cast<int>(found.face.size());
+      found.face.push_back(f);
+    }
+    return number;
+  };
+  for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
+    const HalfedgeH h(i);
+    if (!mesh.alive(h) || mesh.combine_veto(h) != Veto::kNone) continue;
+    const double quality = pair_quality(mesh, h);
+    if (quality < kLeastQuality) continue;
+    found.diagonal.push_back(h);
+    const int a = node_of(mesh.face(h));
+    found.pairs.push_back({a, node_of(mesh.face(SurfaceMesh::twin(h))), quality});
+  }
+  return found;
+}
+
+bool is_extrusion(const SurfaceMesh& mesh, HalfedgeH h) {
+  return mesh.data(mesh.to(h)).parent == mesh.from(h) ||
+         mesh.data(mesh.from(h)).parent == mesh.to(h);
+}
+
+// A quad counts as one of a layer only where a parent-kid edge bounds it.
+void combine_pair(SurfaceMesh& mesh, HalfedgeH diagonal) {
+  const int layer = std::max(mesh.data(mesh.face(diagonal)).layer,
+                             mesh.data(mesh.face(SurfaceMesh::twin(diagonal))).layer);
+  const FaceH quad = mesh.combine(diagonal);
+  bool extruded = false;
+  HalfedgeH h = mesh.halfedge(quad);
+  for (int k = 0; k < 4; ++k, h = mesh.next(h)) extruded = extruded || is_extrusion(mesh, h);
+  mesh.data(quad).layer = extruded ? layer : 0;
+}
+
+void pair_triangles(SurfaceMesh& mesh) {
+  const Candidates found = find_candidates(mesh);
+  const auto matched = match_pairs(static_cast<int>(found.face.size()), found.pairs);
+  for (std::size_t e = 0; e < found.pairs.size(); ++e) {
+    if (matched[static_cast<std::size_t>(found.pairs[e].a)] != static_cast<int>(e)) continue;
+    const HalfedgeH diagonal = found.diagonal[e];
+    if (mesh.combine_veto(diagonal) == Veto::kNone) combine_pair(mesh, diagonal);
+  }
+}
+
+}  // namespace
+
+void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
+  cancel.check();
+  pair_triangles(mesh);
+  const std::vector<VertexH> free = free_vertices(mesh);
+  for (int round = 0; round < kRounds; ++round) {
+    const int joined = join_triangles(mesh, cancel);
+    if (round > 0 && joined == 0) break;
+    smooth_stars(mesh, surface, free, kSweeps, cancel);
+  }
+}
+
+}  // namespace advlayers

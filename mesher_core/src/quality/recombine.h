@@ -1,0 +1,16 @@
+// Makes quads of the triangles that the layers left: pairs by right angles (paper, II.H), pairs
+// the triangles that stayed alone where a few swaps bring two together, evens out the number of
+// quads about a vertex, and smooths towards right angles.
+#pragma once
+
+#include "base/cancel.h"
+#include "geometry/patch_surface.h"
+#include "mesh/surface_mesh.h"
+
+namespace advlayers {
+
+// The mesh is a valid mesh of the patch before and after; frozen edges and the vertices outside
+// the core stay as they are. Throws Cancelled.
+void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel);
+
+}  // namespace advlayers

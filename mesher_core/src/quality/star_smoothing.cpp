@@ -1,0 +1,214 @@
+#include "quality/star_smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace advlayers {
+namespace {
+
+constexpr int kNewtonSteps = 2;
+constexpr int kHalvings = 4;
+// A move below this part of the mean edge length is as good as none.
+constexpr double kLeastMove = 0.01;
+constexpr std::size_t kLargestStar = 24;
+constexpr std::size_t kCancelStride = 256;
+
+// An element about the vertex: the corners after it, counter-clockwise, relative to it, in the
+// plane that touches the surface there. A triangle has no d.
+struct Sector {
+  Vec2 b, c, d;
+  bool quad = false;
+};
+
+struct Star {
+  std::array<Sector, kLargestStar> sectors;
+  std::size_t count = 0;
+  double mean_side = 0.0;
+  double area_floor = 0.0;
+  Vec3 x_axis, y_axis;
+};
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+void choose_axes(const Vec3& normal, Star& star) {
+  const Vec3 helper = std::abs(normal.x()) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
+  star.x_axis = normal.cross(helper).normalized();
+  star.y_axis = normal.cross(star.x_axis);
+}
+
+bool gather(const SurfaceMesh& mesh, VertexH v, Star& star) {
+  choose_axes(mesh.data(v).normal, star);
+  const Vec3 origin = mesh.position(v);
+  const auto flat = [&](VertexH w) {
+    const Vec3 offset = mesh.position(w) - origin;
+    return Vec2(offset.dot(star.x_axis), offset.dot(star.y_axis));
+  };
+  const HalfedgeH first = mesh.outgoing(v);
+  HalfedgeH h = first;
+  double sides = 0.0;
+  do {
+    if (star.count == kLargestStar) return false;
+    Sector& sector = star.sectors[star.count++];
+    const HalfedgeH bc = mesh.next(h), beyond = mesh.next(bc);
+    sector.b = flat(mesh.to(h));
+    sector.c = flat(mesh.to(bc));
+    sector.quad = mesh.next(beyond) != h;
+    if (sector.quad) sector.d = flat(mesh.to(beyond));
+    sides += sector.b.norm();
+    h = mesh.rotate_ccw(h);
+  } while (h != first);
+  star.mean_side = sides / static_cast<double>(star.count);
+  star.area_floor = 1e-3 * star.mean_side * star.mean_side;
+  return star.mean_side > 0.0;
+}
+
+// The sum over the corners that the vertex has a part in, with gradient and Hessian by its place.
+struct Cost {
+  double value = 0.0;
+  Vec2 gradient = Vec2::Zero();
+  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+  double least_area = 1e300;
+
+  // One corner: squares and their gradient (the Hessian is `curvature` times the identity), area
+  // and its constant gradient. Below the floor the area is bent so as to stay positive: a folded
+  // corner is pulled open.
+  void add(double squares, const Vec2& squares_gradient, double curvature, double area,
+           const Vec2& area_gradient, double floor);
+};
+
+void Cost::add(double squares, const Vec2& squares_gradient, double curvature, double area,
+               const Vec2& area_gradient, double floor) {
+  least_area = std::min(least_area, area);
+  double positive = area, slope = 1.0;
+  if (area < 4.0 * floor) {
+    const double root = std::sqrt(area * area + floor * floor);
+    positive = 0.5 * (area + root);
+    slope = 0.5 * (1.0 + area / root);
+  }
+  const Vec2 da = slope * area_gradient;
+  const double inverse = 0.5 / positive;
+  const double f = squares * inverse;
+  const Vec2 df = (squares_gradient - 2.0 * f * da) * inverse;
+  const Eigen::Matrix2d mixed = df * da.transpose();
+  const Eigen::Matrix2d ddf =
+      (curvature * Eigen::Matrix2d::Identity() - 2.0 * (mixed + mixed.transpose())) * inverse;
+  value += f * f;
+  gradient += 2.0 * f * df;
+  hessian += 2.0 * (df * df.transpose() + f * ddf);
+}
+
+Cost cost_at(const Star& star, const Vec2& p) {
+  Cost cost;
+  for (std::size_t i = 0; i < star.count; ++i) {
+    const Sector& s = star.sectors[i];
+    const Vec2 b = s.b - p;
+    if (s.quad) {
+      const Vec2 d = s.d - p, bc = s.c - s.b, dc = s.c - s.d;
+      cost.add(b.squaredNorm() + d.squaredNorm(), -2.0 * (b + d), 4.0, cross(b, d),
+               Vec2(b.y() - d.y(), d.x() - b.x()), star.area_floor);
+      cost.add(b.squaredNorm() + bc.squaredNorm(), -2.0 * b, 2.0, cross(bc, -b),
+               Vec2(-bc.y(), bc.x()), star.area_floor);
+      cost.add(d.squaredNorm() + dc.squaredNorm(), -2.0 * d, 2.0, cross(-d, dc),
+               Vec2(dc.y(), -dc.x()), star.area_floor);
+    } else {
+      // Three sides over the area: 1 for equal sides with this factor.
+      constexpr double kEquilateral = 1.0 / 1.7320508075688772;
+      const Vec2 c = s.c - p, bc = s.c - s.b;
+      cost.add(kEquilateral * (b.squaredNorm() + c.squaredNorm() + bc.squaredNorm()),
+               kEquilateral * -2.0 * (b + c), kEquilateral * 4.0, cross(b, c),
+               Vec2(b.y() - c.y(), c.x() - b.x()), star.area_floor);
+    }
+  }
+  return cost;
+}
+
+// The minimum by damped Newton steps; false where the vertex is there already.
+bool find_minimum(const Star& star, Vec2& place) {
+  place = Vec2::Zero();
+  Cost cost = cost_at(star, place);
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const double determinant = cost.hessian.determinant();
+    if (!(determinant > 0.0) || cost.hessian(0, 0) <= 0.0) {
+      cost.hessian = (cost.hessian.norm() + 1e-300) * Eigen::Matrix2d::Identity();
+    }
+    Vec2 move = -cost.hessian.inverse() * cost.gradient;
+    const double limit = 0.5 * star.mean_side;
+    if (move.norm() > limit) move *= limit / move.norm();
+    Cost next;
+    int halving = 0;
+    for (; halving < kHalvings; ++halving, move *= 0.5) {
+      next = cost_at(star, place + move);
+      if (next.value < cost.value) break;
+    }
+    if (halving == kHalvings) break;
+    place += move;
+    cost = next;
+    if (move.norm() < 0.2 * kLeastMove * star.mean_side) break;
+  }
+  return place.norm() > kLeastMove * star.mean_side;
+}
+
+// True where every face about the vertex turns the right way round at its corners.
+bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place) {
+  const Vec3& normal = mesh.data(v).normal;
+  const HalfedgeH first = mesh.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    const Vec3 b = mesh.position(mesh.to(h)) - place;
+    const Vec3 d = mesh.position(mesh.from(mesh.prev(h))) - place;
+    const Vec3 bc = mesh.position(mesh.to(mesh.next(h))) - mesh.position(mesh.to(h));
+    if (b.cross(d).dot(normal) <= 0.0 || b.cross(bc).dot(normal) <= 0.0) return false;
+    const Vec3 cd =
+        mesh.position(mesh.from(mesh.prev(h))) - mesh.position(mesh.from(mesh.prev(mesh.prev(h))));
+    if (cd.cross(-d).dot(normal) <= 0.0) return false;
+    h = mesh.rotate_ccw(h);
+  } while (h != first);
+  return true;
+}
+
+}  // namespace
+
+bool smooth_star(SurfaceMesh& mesh, PatchSurface& surface, VertexH v) {
+  Star star;
+  if (!gather(mesh, v, star)) return false;
+  Vec2 place;
+  if (!find_minimum(star, place)) return false;
+  VertexData& data = mesh.data(v);
+  const Vec3 target = data.point.xyz + place.x() * star.x_axis + place.y() * star.y_axis;
+  SurfacePoint foot;
+  if (!surface.project(target, data.point, foot)) return false;
+  if ((foot.xyz - target).norm() > 0.5 * star.mean_side) return false;
+  if (!keeps_faces_upright(mesh, v, foot.xyz)) return false;
+  data.point = foot;
+  data.normal = surface.normal(foot);
+  return true;
+}
+
+void smooth_stars(SurfaceMesh& mesh, PatchSurface& surface, const std::vector<VertexH>& free,
+                  int sweeps, const CancelFlag& cancel) {
+  std::vector<char> waiting(mesh.vertex_capacity(), 0);
+  for (const VertexH v : free) waiting[v.index()] = 1;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      if (i % kCancelStride == 0) cancel.check();
+      const VertexH v = free[i];
+      if (!waiting[v.index()] || !mesh.alive(v)) continue;
+      waiting[v.index()] = 0;
+      if (!smooth_star(mesh, surface, v)) continue;
+      ++moved;
+      waiting[v.index()] = 1;
+      const HalfedgeH first = mesh.outgoing(v);
+      HalfedgeH h = first;
+      do {
+        waiting[mesh.to(h).index()] = 1;
+        waiting[mesh.to(mesh.next(h)).index()] = 1;
+        h = mesh.rotate_ccw(h);
+      } while (h != first);
+    }
+    if (moved == 0) break;
+  }
+}
+
+}  // namespace advlayers
