@@ -23,12 +23,16 @@ class Mesher {
   // left. Throws Cancelled.
   std::optional<LayerReport> next();
 
+  // True where next() has a report at hand, without work.
+  bool ready() const;
+
   // May be called from any thread; takes effect within one local operation's time.
   void cancel();
 
-  // The mesh as it stands: valid at any time after the first next().
+  // The mesh as it stands, at any time before result(); its walls and figures are not measured.
   MeshResult snapshot() const;
-  // Finishes the core (improves, recombines) and gives the mesh. Call once.
+  // Finishes the core (improves, recombines), measures, and gives the mesh. Call once; meshes what
+  // next() has not been asked for yet up to the triangulation. Throws Cancelled.
   MeshResult result();
 
  private:

@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "layers/patch_layers.h"
+#include "mesher/figures.h"
 
 namespace advlayers {
 
@@ -44,7 +45,8 @@ struct MeshResult {
   // Mesh edges on CAD edges: node pairs, by EdgeId.
   std::vector<std::vector<std::array<int, 2>>> edge_segments;
   std::vector<PatchReport> patches;
-  std::vector<WallReport> walls;
+  std::vector<WallReport> walls;  // empty in a snapshot
+  Figures figures;                // all zero in a snapshot
   std::vector<Diagnostic> diagnostics;
   std::map<std::string, double> seconds;  // boundary, triangulate, layers, core
 };

@@ -1,0 +1,209 @@
+#include "mesher/mesher.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <mutex>
+#include <numeric>
+#include <set>
+
+#include "base/error.h"
+#include "boundary/discretization.h"
+#include "boundary/halve_edges.h"
+#include "mesher/merge.h"
+#include "mesher/patch_job.h"
+#include "mesher/patch_plan.h"
+
+namespace advlayers {
+namespace {
+
+// Times that the edges of a face may be halved where they are too coarse for it.
+constexpr int kMostHalvings = 6;
+
+using Clock = std::chrono::steady_clock;
+
+// Adds the wall-clock time of its life to one entry of the result's seconds.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
+  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+
+ private:
+  double& total_;
+  Clock::time_point start_;
+};
+
+}  // namespace
+
+struct Mesher::Impl {
+  Impl(const Model& the_model, const Settings& the_settings);
+  void start();
+  void triangulate_all();
+  void advance_all();
+  MeshResult finish();
+  template <class Body>
+  void for_each_job(const Body& body);
+
+  const Model& model;
+  Settings settings;
+  CancelFlag cancel;
+  tbb::task_arena arena;
+  Discretization boundary;
+  std::vector<std::unique_ptr<PatchJob>> jobs;
+  std::vector<std::size_t> order;  // of starting the jobs: large patches first
+  std::deque<LayerReport> pending;
+  std::map<std::string, double> seconds{
+      {"boundary", 0.0}, {"triangulate", 0.0}, {"layers", 0.0}, {"core", 0.0}};
+  bool started = false;
+  bool growing = true;
+  bool finished = false;
+  mutable std::mutex mutex;  // guards all but `cancel`
+};
+
+Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
+    : model(the_model),
+      settings(the_settings),
+      arena(the_settings.threads > 0 ? the_settings.threads : tbb::task_arena::automatic) {
+  check(settings, model);
+  for (PatchPlan& plan : plan_patches(model, settings)) {
+    jobs.push_back(
+        std::make_unique<PatchJob>(PatchId(jobs.size()), std::move(plan), model, settings));
+  }
+  order.resize(jobs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return jobs[a]->area() > jobs[b]->area();
+  });
+}
+
+// Jobs share nothing that changes, so that neither their order nor the threads show in the result.
+template <class Body>
+void Mesher::Impl::for_each_job(const Body& body) {
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, order.size(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            cancel.check();
+            body(*jobs[order[i]], order[i]);
+          }
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+void Mesher::Impl::start() {
+  if (started) return;
+  {
+    const Stopwatch watch(seconds["boundary"]);
+    cancel.check();
+    Evaluator evaluator(model);
+    boundary = discretize(evaluator, settings);
+  }
+  const Stopwatch watch(seconds["triangulate"]);
+  triangulate_all();
+  started = true;
+}
+
+// Where the boundary turns out to be cut too coarsely for a face, its edges are halved, and every
+// patch beside them starts again.
+void Mesher::Impl::triangulate_all() {
+  std::vector<char> waiting(jobs.size(), 1);
+  for (int round = 0; round <= kMostHalvings; ++round) {
+    std::vector<std::vector<EdgeId>> too_coarse(jobs.size());
+    for_each_job([&](PatchJob& job, std::size_t index) {
+      if (waiting[index]) too_coarse[index] = job.triangulate(boundary, cancel);
+    });
+    std::set<EdgeId> coarse;
+    for (const auto& edges : too_coarse) coarse.insert(edges.begin(), edges.end());
+    if (coarse.empty() || round == kMostHalvings) return;
+    Evaluator evaluator(model);
+    halve_edges(evaluator, {coarse.begin(), coarse.end()}, boundary);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      waiting[i] = !too_coarse[i].empty() ||
+                   std::any_of(coarse.begin(), coarse.end(),
+                               [&](EdgeId edge) { return jobs[i]->borders_on(edge); });
+    }
+  }
+}
+
+// One layer on every patch that still grows.
+void Mesher::Impl::advance_all() {
+  const Stopwatch watch(seconds["layers"]);
+  std::vector<std::optional<LayerReport>> reports(jobs.size());
+  for_each_job([&](PatchJob& job, std::size_t index) {
+    LayerReport report;
+    if (job.advance(report, cancel)) reports[index] = report;
+  });
+  for (const auto& report : reports) {
+    if (report) pending.push_back(*report);
+  }
+  growing = !pending.empty();
+}
+
+MeshResult Mesher::Impl::finish() {
+  const Stopwatch watch(seconds["core"]);
+  for_each_job([this](PatchJob& job, std::size_t) {
+    job.finish(cancel);
+    job.measure();
+  });
+  MeshResult result = merge(jobs, boundary);
+  FigureCounts counts;
+  for (const auto& job : jobs) {
+    counts.add(job->counts());
+    result.walls.insert(result.walls.end(), job->walls().begin(), job->walls().end());
+  }
+  result.figures = counts.figures(static_cast<int>(result.nodes.size()));
+  return result;
+}
+
+Mesher::Mesher(const Model& model, const Settings& settings)
+    : impl_(std::make_unique<Impl>(model, settings)) {}
+
+Mesher::~Mesher() = default;
+
+std::optional<LayerReport> Mesher::next() {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  impl_->cancel.check();
+  if (impl_->finished) return std::nullopt;
+  impl_->start();
+  if (impl_->pending.empty() && impl_->growing) impl_->advance_all();
+  if (impl_->pending.empty()) return std::nullopt;
+  const LayerReport report = impl_->pending.front();
+  impl_->pending.pop_front();
+  return report;
+}
+
+bool Mesher::ready() const {
+  const std::unique_lock<std::mutex> lock(impl_->mutex, std::try_to_lock);
+  return lock.owns_lock() && !impl_->pending.empty();
+}
+
+void Mesher::cancel() { impl_->cancel.request(); }
+
+MeshResult Mesher::snapshot() const {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  if (impl_->finished) throw InvalidInput("there is no snapshot after result(): it gave the mesh");
+  MeshResult result = merge(impl_->jobs, impl_->boundary);
+  result.seconds = impl_->seconds;
+  return result;
+}
+
+MeshResult Mesher::result() {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  if (impl_->finished) throw InvalidInput("result() was called already; keep what it gave");
+  impl_->cancel.check();
+  impl_->start();
+  MeshResult result = impl_->finish();
+  result.seconds = impl_->seconds;
+  impl_->finished = true;
+  impl_->jobs.clear();
+  return result;
+}
+
+}  // namespace advlayers

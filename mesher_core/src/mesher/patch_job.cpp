@@ -1,0 +1,200 @@
+#include "mesher/patch_job.h"
+
+#include <new>
+#include <utility>
+
+#include "mesher/wall_report.h"
+#include "quality/core_improvement.h"
+#include "quality/recombine.h"
+#include "triangulate/triangulate.h"
+
+namespace advlayers {
+namespace {
+
+template <std::size_t kCount, class Kind>
+void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
+               std::map<std::string, int>& total) {
+  for (std::size_t k = 0; k < kCount; ++k) {
+    if (counts[k] > 0) total[name(static_cast<Kind>(k))] += counts[k];
+  }
+}
+
+// True where the element is turned over against the surface under its centroid. The corners'
+// normals decide where they all agree with the element; only then is the projection spared.
+bool is_inverted(const SurfaceMesh& mesh, FaceH f, const ElementCorners& element,
+                 PatchSurface& surface) {
+  constexpr double kClearlyUpright = 0.3;  // cosine
+  const Vec3 area = area_vector(element);
+  const double size = area.norm();
+  if (size <= 0.0) return true;
+  bool upright = true;
+  HalfedgeH h = mesh.halfedge(f);
+  for (int k = 0; k < element.count; ++k, h = mesh.next(h)) {
+    upright = upright && mesh.data(mesh.to(h)).normal.dot(area) > kClearlyUpright * size;
+  }
+  if (upright) return false;
+  SurfacePoint foot;
+  const SurfacePoint& seed = mesh.data(mesh.to(h)).point;
+  if (!surface.project(centroid(element), seed, foot)) return false;
+  return surface.normal(foot).dot(area) < 0.0;
+}
+
+}  // namespace
+
+PatchJob::PatchJob(PatchId id, PatchPlan plan, const Model& model, const Settings& settings)
+    : id_(id),
+      plan_(std::move(plan)),
+      settings_(&settings),
+      evaluator_(model),
+      surface_(evaluator_, plan_.faces) {
+  for (const FaceId face : plan_.faces) area_ += model.face(face).area;
+  report_.patch = id;
+  report_.faces = plan_.faces;
+  for (const FaceId face : plan_.faces) {
+    const std::string& defect = model.face(face).defect;
+    if (defect.empty()) continue;
+    complain("face-defect", face_name(face) + " is not meshed: " + defect);
+    defective_ = true;
+  }
+}
+
+void PatchJob::complain(const char* code, const std::string& text) {
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::kError;
+  diagnostic.code = code;
+  diagnostic.patch = id_;
+  diagnostic.layer = report_.layers;
+  diagnostic.text = text;
+  diagnostics_.push_back(std::move(diagnostic));
+}
+
+// Runs a stage of this patch; what it throws becomes a diagnostic, and the other patches go on.
+template <class Stage>
+bool PatchJob::guard(const char* code, const Stage& stage) {
+  try {
+    stage();
+    return true;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    const std::string name = patch_name(plan_.faces);
+    const std::string what = error.what();
+    complain(code, what.find(name) == std::string::npos ? name + ": " + what : what);
+    return false;
+  }
+}
+
+std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
+                                          const CancelFlag& cancel) {
+  if (defective_) return {};
+  diagnostics_.clear();
+  std::vector<EdgeId> coarse;
+  meshed_ = guard("face-not-meshed", [&] {
+    try {
+      Triangulation made =
+          advlayers::triangulate(surface_, evaluator_, boundary, *settings_, cancel);
+      mesh_ = std::move(made.mesh);
+      for (Diagnostic& diagnostic : made.diagnostics) {
+        diagnostic.patch = id_;
+        diagnostics_.push_back(std::move(diagnostic));
+      }
+    } catch (const BoundaryTooCoarse& error) {
+      coarse = error.edges();
+      throw;
+    }
+  });
+  growing_ = meshed_;
+  return coarse;
+}
+
+bool PatchJob::advance(LayerReport& report, const CancelFlag& cancel) {
+  if (!growing_) return false;
+  growing_ = guard("layers-stopped",
+                   [&] {
+                     if (!layers_)
+                       layers_ = std::make_unique<PatchLayers>(id_, mesh_, surface_, plan_.walls);
+                     if (!layers_->advance(report, cancel)) {
+                       growing_ = false;
+                       return;
+                     }
+                     report_.layers = report.layer;
+                     add_named(report.vetoes, veto_name, report_.vetoes);
+                     add_named(report.events, event_name, report_.events);
+                   }) &&
+             growing_;
+  return growing_;
+}
+
+// The layers watch the mesh for edges to swap; what follows is no business of theirs.
+void PatchJob::end_layers() {
+  growing_ = false;
+  if (!layers_) return;
+  const auto& told = layers_->diagnostics();
+  diagnostics_.insert(diagnostics_.end(), told.begin(), told.end());
+  stops_ = layers_->stops();
+  layers_.reset();
+}
+
+void PatchJob::finish(const CancelFlag& cancel) {
+  end_layers();
+  if (!meshed_) return;
+  guard("core-not-improved", [&] {
+    improve_core(mesh_, surface_, cancel);
+    if (settings_->core == CoreElements::kQuads) recombine(mesh_, surface_, cancel);
+  });
+}
+
+void PatchJob::measure() {
+  if (!meshed_) return;
+  guard("not-measured", [&] {
+    count_elements();
+    walls_ = measure_walls(mesh_, surface_, plan_.walls, stops_, report_.layers);
+  });
+}
+
+void PatchJob::count_elements() {
+  counts_ = FigureCounts();
+  report_.quads = report_.triangles = 0;
+  for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
+    const FaceH f(i);
+    if (!mesh_.alive(f)) continue;
+    const ElementCorners element = corners_of(mesh_, f);
+    counts_.add(element, mesh_.data(f).layer);
+    if (is_inverted(mesh_, f, element, surface_)) counts_.add_inverted();
+    ++(element.count == 4 ? report_.quads : report_.triangles);
+  }
+}
+
+// In a patch of several faces an element belongs to the one that most of its corners lie on.
+FaceId PatchJob::face_of(FaceH f) const {
+  if (plan_.faces.size() == 1) return plan_.faces.front();
+  FaceId best;
+  int best_votes = 0;
+  const HalfedgeH first = mesh_.halfedge(f);
+  HalfedgeH h = first;
+  do {
+    const FaceId candidate = mesh_.data(mesh_.to(h)).point.face;
+    int votes = 0;
+    HalfedgeH other = first;
+    do {
+      votes += mesh_.data(mesh_.to(other)).point.face == candidate;
+      other = mesh_.next(other);
+    } while (other != first);
+    if (votes > best_votes || (votes == best_votes && candidate < best)) {
+      best = candidate;
+      best_votes = votes;
+    }
+    h = mesh_.next(h);
+  } while (h != first);
+  return best;
+}
+
+std::vector<Diagnostic> PatchJob::diagnostics() const {
+  std::vector<Diagnostic> all = diagnostics_;
+  if (layers_) all.insert(all.end(), layers_->diagnostics().begin(), layers_->diagnostics().end());
+  return all;
+}
+
+}  // namespace advlayers

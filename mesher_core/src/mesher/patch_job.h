@@ -1,0 +1,74 @@
+// The work on one patch, from triangulation to the finished mesh. Trouble is data: a patch that
+// cannot be triangulated is left out, one whose layers fail keeps its last valid mesh.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/cancel.h"
+#include "boundary/discretization.h"
+#include "geometry/patch_surface.h"
+#include "layers/patch_layers.h"
+#include "mesh/surface_mesh.h"
+#include "mesher/patch_plan.h"
+#include "mesher/result.h"
+#include "sizing/settings.h"
+
+namespace advlayers {
+
+class PatchJob {
+ public:
+  PatchJob(PatchId id, PatchPlan plan, const Model& model, const Settings& settings);
+  PatchJob(const PatchJob&) = delete;
+
+  // The stages, in this order; each throws Cancelled and nothing else.
+  // The CAD edges that are cut too coarsely for this patch: once these are cut finer, it may be
+  // triangulated again. Empty where it is meshed, or is left out for another reason.
+  std::vector<EdgeId> triangulate(const Discretization& boundary, const CancelFlag& cancel);
+  bool advance(LayerReport& report, const CancelFlag& cancel);  // false: no front is left
+  void finish(const CancelFlag& cancel);
+  void measure();
+
+  bool meshed() const { return meshed_; }
+  bool borders_on(EdgeId edge) const { return plan_.walls.edges.count(edge) > 0; }
+  PatchId id() const { return id_; }
+  const std::vector<FaceId>& faces() const { return plan_.faces; }
+  double area() const { return area_; }  // [mm^2] of the faces, as a measure of the work
+  const SurfaceMesh& mesh() const { return mesh_; }
+
+  // Of measure(), but for the diagnostics:
+  const PatchReport& report() const { return report_; }
+  const std::vector<WallReport>& walls() const { return walls_; }
+  const FigureCounts& counts() const { return counts_; }
+  std::vector<Diagnostic> diagnostics() const;
+
+  // The CAD face that an element lies on.
+  FaceId face_of(FaceH f) const;
+
+ private:
+  template <class Stage>
+  bool guard(const char* code, const Stage& stage);
+  void complain(const char* code, const std::string& text);
+  void end_layers();
+  void count_elements();
+
+  PatchId id_;
+  PatchPlan plan_;
+  const Settings* settings_;
+  double area_ = 0.0;
+  Evaluator evaluator_;
+  PatchSurface surface_;
+  SurfaceMesh mesh_;
+  std::unique_ptr<PatchLayers> layers_;
+  bool meshed_ = false;
+  bool growing_ = false;
+  bool defective_ = false;
+  PatchReport report_;
+  std::vector<WallReport> walls_;
+  FigureCounts counts_;
+  std::vector<StopRecord> stops_;
+  std::vector<Diagnostic> diagnostics_;
+};
+
+}  // namespace advlayers

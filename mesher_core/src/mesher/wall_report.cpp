@@ -1,0 +1,175 @@
+#include "mesher/wall_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace advlayers {
+namespace {
+
+constexpr double kRegularTurnCosine = 0.93969262;  // of 20 degrees
+constexpr int kNoKid = -1;
+constexpr int kSeveralKids = -2;
+
+// The mesh as columns: each vertex and the one that was extruded from it.
+struct Columns {
+  explicit Columns(const SurfaceMesh& mesh) : kid(mesh.vertex_capacity(), kNoKid) {
+    for (std::size_t i = 0; i < kid.size(); ++i) {
+      const VertexH v(i);
+      if (!mesh.alive(v)) continue;
+      const VertexH parent = mesh.data(v).parent;
+      if (!parent.valid() || !mesh.alive(parent)) continue;
+      if (!mesh.find_halfedge(parent, v).valid()) continue;
+      int& slot = kid[parent.index()];
+      slot = slot == kNoKid ? v.value : kSeveralKids;
+    }
+  }
+  VertexH only_kid(VertexH v) const { return VertexH(std::max(kid[v.index()], kNoKid)); }
+
+  std::vector<int> kid;
+};
+
+// A wall vertex is straight where the border turns by less than 20 degrees.
+bool is_straight(const SurfaceMesh& mesh, HalfedgeH border) {
+  const Vec3 in = mesh.position(mesh.from(border)) - mesh.position(mesh.from(mesh.prev(border)));
+  const Vec3 out = mesh.position(mesh.to(border)) - mesh.position(mesh.from(border));
+  return in.dot(out) > kRegularTurnCosine * in.norm() * out.norm();
+}
+
+bool is_regular(const SurfaceMesh& mesh, const Columns& columns, HalfedgeH border) {
+  HalfedgeH h = mesh.prev(mesh.prev(border));
+  for (int k = 0; k < 5; ++k, h = mesh.next(h)) {
+    if (!is_straight(mesh, h) || !columns.only_kid(mesh.from(h)).valid()) return false;
+  }
+  return true;
+}
+
+struct Sample {
+  double first = 0.0;   // [mm]
+  double second = 0.0;  // [mm]; 0: the column has one layer
+  bool regular = false;
+};
+
+Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Columns& columns,
+                      HalfedgeH border) {
+  Sample sample;
+  const VertexH foot = mesh.from(border);
+  const VertexH kid = columns.only_kid(foot);
+  if (!kid.valid()) return sample;
+  sample.first = arc_length(surface, mesh.data(foot).point, mesh.data(kid).point);
+  sample.regular = is_regular(mesh, columns, border);
+  const VertexH grandkid = columns.only_kid(kid);
+  if (grandkid.valid()) {
+    sample.second = arc_length(surface, mesh.data(kid).point, mesh.data(grandkid).point);
+  }
+  return sample;
+}
+
+void summarize(const std::vector<Sample>& samples, WallReport& report) {
+  const bool any_regular =
+      std::any_of(samples.begin(), samples.end(), [](const Sample& s) { return s.regular; });
+  int heights = 0, ratios = 0;
+  double sum = 0.0, ratio_sum = 0.0;
+  for (const Sample& s : samples) {
+    if (s.first <= 0.0 || (any_regular && !s.regular)) continue;
+    report.achieved_min = heights > 0 ? std::min(report.achieved_min, s.first) : s.first;
+    report.achieved_max = std::max(report.achieved_max, s.first);
+    sum += s.first;
+    ++heights;
+    if (s.second <= 0.0) continue;
+    ratio_sum += s.second / s.first;
+    ++ratios;
+  }
+  if (heights > 0) report.achieved_mean = sum / heights;
+  if (ratios > 0) report.achieved_growth = ratio_sum / ratios;
+}
+
+// The records of each wall vertex, as a range of the records sorted by vertex.
+class Stops {
+ public:
+  explicit Stops(std::vector<StopRecord> records) : records_(std::move(records)) {
+    std::stable_sort(records_.begin(), records_.end(),
+                     [](const StopRecord& a, const StopRecord& b) { return a.root < b.root; });
+  }
+  template <class Visit>
+  void visit(VertexH root, const Visit& visit_record) const {
+    const auto first = std::lower_bound(
+        records_.begin(), records_.end(), root,
+        [](const StopRecord& record, VertexH vertex) { return record.root < vertex; });
+    for (auto it = first; it != records_.end() && it->root == root; ++it) visit_record(*it);
+  }
+
+ private:
+  std::vector<StopRecord> records_;
+};
+
+// Where fronts or columns met there was no room for another layer; elsewhere one is missing.
+bool ran_out_of_room(Stop reason) { return reason == Stop::kClosed || reason == Stop::kMerged; }
+
+void count_layers(const Stops& stops, const std::vector<VertexH>& roots, int layers_made,
+                  WallReport& report) {
+  int shortest = layers_made, longest = 0;
+  bool all_closed = true;
+  for (const VertexH root : roots) {
+    bool stopped = false;
+    stops.visit(root, [&](const StopRecord& record) {
+      ++report.stops[stop_name(record.reason)];
+      stopped = true;
+      longest = std::max(longest, record.layer - 1);
+      if (ran_out_of_room(record.reason)) return;
+      all_closed = false;
+      shortest = std::min(shortest, record.layer - 1);
+    });
+    if (!stopped) all_closed = false;
+  }
+  report.layers = all_closed ? longest : shortest;
+}
+
+struct Wall {
+  std::vector<Sample> samples;
+  std::vector<VertexH> roots;
+};
+
+}  // namespace
+
+double arc_length(PatchSurface& surface, const SurfacePoint& from, const SurfacePoint& to) {
+  const double chord = (to.xyz - from.xyz).norm();
+  SurfacePoint middle;
+  if (!surface.project(0.5 * (from.xyz + to.xyz), from, middle)) return chord;
+  const double halves = (middle.xyz - from.xyz).norm() + (to.xyz - middle.xyz).norm();
+  const double arc = (4.0 * halves - chord) / 3.0;
+  // A midpoint that landed on another sheet of the surface says nothing about this edge.
+  return arc < 1.6 * chord ? arc : chord;
+}
+
+std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& surface,
+                                      const WallPlan& plan, const std::vector<StopRecord>& stops,
+                                      int layers_made) {
+  const Columns columns(mesh);
+  const Stops stops_by_root(stops);
+  std::map<EdgeId, Wall> walls;
+  for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
+    const HalfedgeH h(i);
+    if (!mesh.alive(h) || !mesh.is_border(h) || !mesh.curve(h).valid()) continue;
+    const auto planned = plan.edges.find(mesh.curve(h));
+    if (planned == plan.edges.end() || planned->second.condition != EdgeCondition::kWall) continue;
+    Wall& wall = walls[mesh.curve(h)];
+    wall.samples.push_back(measure_column(mesh, surface, columns, h));
+    wall.roots.push_back(mesh.from(h));
+  }
+  std::vector<WallReport> reports;
+  for (const auto& [edge, wall] : walls) {
+    WallReport report;
+    report.edge = edge;
+    report.face = surface.faces().front();
+    report.first_height = plan.edges.at(edge).first_height;
+    report.growth = plan.edges.at(edge).growth;
+    summarize(wall.samples, report);
+    count_layers(stops_by_root, wall.roots, layers_made, report);
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+}  // namespace advlayers
