@@ -1,0 +1,138 @@
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bindings.h"
+#include "mesh_view.h"
+#include "mesher/mesher.h"
+
+namespace py = pybind11;
+
+namespace advlayers::python {
+namespace {
+
+constexpr auto kSignalPoll = std::chrono::milliseconds(20);
+
+// Keeps the model alive and remembers the result, which a Mesher gives only once.
+struct MesherHandle {
+  MesherHandle(std::shared_ptr<Model> the_model, const Settings& settings)
+      : model(std::move(the_model)), mesher(*model, settings) {}
+
+  std::shared_ptr<Model> model;
+  Mesher mesher;
+  std::shared_ptr<MeshView> result;
+};
+
+// Runs long work beside the calling thread, which meanwhile looks for Ctrl-C: Python delivers it
+// to the main thread alone, and only when asked.
+template <class Work>
+auto run_interruptibly(Mesher& mesher, const Work& work) {
+  std::unique_ptr<py::error_already_set> interrupt;
+  std::future<decltype(work())> outcome;
+  {
+    const py::gil_scoped_release release;
+    outcome = std::async(std::launch::async, work);
+    while (outcome.wait_for(kSignalPoll) != std::future_status::ready && !interrupt) {
+      const py::gil_scoped_acquire acquire;
+      if (PyErr_CheckSignals() == 0) continue;
+      interrupt = std::make_unique<py::error_already_set>();
+      mesher.cancel();
+    }
+    outcome.wait();
+  }
+  if (interrupt) throw py::error_already_set(*interrupt);
+  return outcome.get();
+}
+
+LayerReport next_report(MesherHandle& self) {
+  std::optional<LayerReport> report;
+  if (self.mesher.ready()) {
+    report = self.mesher.next();
+  } else {
+    report = run_interruptibly(self.mesher, [&self] { return self.mesher.next(); });
+  }
+  if (!report) throw py::stop_iteration();
+  return *report;
+}
+
+std::shared_ptr<MeshView> result_of(MesherHandle& self) {
+  if (!self.result) {
+    self.result = run_interruptibly(
+        self.mesher, [&self] { return std::make_shared<MeshView>(self.mesher.result()); });
+  }
+  return self.result;
+}
+
+std::shared_ptr<MeshView> snapshot_of(const MesherHandle& self) {
+  const py::gil_scoped_release release;
+  return std::make_shared<MeshView>(self.mesher.snapshot());
+}
+
+template <std::size_t kCount, class Kind>
+py::dict counted(const std::array<int, kCount>& counts, const char* (*name)(Kind)) {
+  py::dict named;
+  for (std::size_t k = 0; k < kCount; ++k) {
+    if (counts[k] > 0) named[name(static_cast<Kind>(k))] = counts[k];
+  }
+  return named;
+}
+
+std::string describe(const LayerReport& report) {
+  return "<LayerReport: patch " + std::to_string(report.patch.value) + ", layer " +
+         std::to_string(report.layer) + ", " + std::to_string(report.quads) + " quads, " +
+         std::to_string(report.triangles) + " triangles, " + std::to_string(report.front_vertices) +
+         " front vertices>";
+}
+
+void bind_report(py::module_& module) {
+  py::class_<LayerReport>(module, "LayerReport", "One layer of one patch.")
+      .def_property_readonly(
+          "patch", [](const LayerReport& r) { return r.patch.value; },
+          "Index into Mesh.patches, from 0.")
+      .def_readonly("layer", &LayerReport::layer, "From 1.")
+      .def_readonly("front_vertices", &LayerReport::front_vertices, "After the layer.")
+      .def_readonly("quads", &LayerReport::quads, "Made in this layer.")
+      .def_readonly("triangles", &LayerReport::triangles, "Made in this layer.")
+      .def_property_readonly(
+          "vetoes", [](const LayerReport& r) { return counted(r.vetoes, veto_name); },
+          "Why local operations were refused -> how often.")
+      .def_property_readonly(
+          "events", [](const LayerReport& r) { return counted(r.events, event_name); },
+          "Why the front lost edges -> how often.")
+      .def_property_readonly(
+          "stops", [](const LayerReport& r) { return counted(r.stops, stop_name); },
+          "Why front vertices got no further kid -> how many.")
+      .def("__repr__", &describe);
+}
+
+}  // namespace
+
+void bind_mesher(py::module_& module) {
+  bind_report(module);
+  py::class_<MesherHandle>(
+      module, "Mesher",
+      "Mesher(model, settings) -> iterator of LayerReport, one per layer and patch.\n\n"
+      "The caller owns the loop and may stop after any layer. The global interpreter lock is\n"
+      "released while it works. The same input gives the same mesh for any number of threads.\n\n"
+      "Raises InvalidInput naming a wrong setting; Cancelled from the loop and from result() "
+      "after\n"
+      "cancel(); KeyboardInterrupt.")
+      .def(py::init<std::shared_ptr<Model>, const Settings&>(), py::arg("model"),
+           py::arg("settings"))
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", &next_report)
+      .def(
+          "cancel", [](MesherHandle& self) { self.mesher.cancel(); },
+          "Stops the work, for good; may be called from any thread.")
+      .def("snapshot", &snapshot_of,
+           "The Mesh as it stands, before result(); its walls and figures are not measured.")
+      .def("result", &result_of,
+           "Finishes the core and gives the Mesh; the same object every time.\n\n"
+           "May be called before the loop has ended: the layers so far are kept.");
+}
+
+}  // namespace advlayers::python

@@ -1,0 +1,211 @@
+#include <pybind11/stl.h>
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "bindings.h"
+#include "geometry/model.h"
+#include "sizing/settings.h"
+
+namespace py = pybind11;
+
+namespace advlayers::python {
+namespace {
+
+std::string shown(const py::handle& value) { return py::repr(value).cast<std::string>(); }
+
+// The zero-based number in a CAD name such as "Edge7".
+std::int32_t number_in_name(const py::handle& value, const char* setting, const std::string& kind) {
+  const std::string wanted =
+      std::string(setting) + " must name " + kind + "s, like \"" + kind + "7\"";
+  if (!py::isinstance<py::str>(value)) throw InvalidInput(wanted + ", got " + shown(value));
+  const auto name = value.cast<std::string>();
+  const bool prefixed = name.compare(0, kind.size(), kind) == 0;
+  const std::string digits = prefixed ? name.substr(kind.size()) : "";
+  const bool numeric = !digits.empty() && digits.size() < 10 && digits.front() != '0' &&
+                       digits.find_first_not_of("0123456789") == std::string::npos;
+  if (!numeric) throw InvalidInput(wanted + ", got " + shown(value));
+  return static_cast<std::int32_t>(std::stol(digits) - 1);
+}
+
+template <class EntityId>
+std::vector<EntityId> names(const py::handle& value, const char* setting, const std::string& kind) {
+  if (py::isinstance<py::str>(value) || !py::isinstance<py::iterable>(value)) {
+    throw InvalidInput(std::string(setting) + " must be a list of names like \"" + kind +
+                       "7\", got " + shown(value));
+  }
+  std::vector<EntityId> ids;
+  for (const py::handle item : value) ids.emplace_back(number_in_name(item, setting, kind));
+  return ids;
+}
+
+double number(const py::handle& value, const char* setting) {
+  const bool plain = !py::isinstance<py::bool_>(value) && PyNumber_Check(value.ptr()) == 1;
+  if (!plain) throw InvalidInput(std::string(setting) + " must be a number, got " + shown(value));
+  return value.cast<double>();
+}
+
+int count(const py::handle& value, const char* setting) {
+  if (py::isinstance<py::bool_>(value) || !py::isinstance<py::int_>(value)) {
+    throw InvalidInput(std::string(setting) + " must be a whole number, got " + shown(value));
+  }
+  try {
+    return value.cast<int>();
+  } catch (const py::cast_error&) {
+    throw InvalidInput(std::string(setting) + " is out of range: " + shown(value));
+  }
+}
+
+void set_layers(const py::handle& value, Settings& settings) {
+  if (py::isinstance<py::str>(value)) {
+    if (value.cast<std::string>() != "isotropic") {
+      throw InvalidInput("layers must be a number or \"isotropic\", got " + shown(value));
+    }
+    settings.end = EndOfGrowth::kIsotropic;
+    return;
+  }
+  settings.layers = count(value, "layers");
+  settings.end = settings.layers == 0 ? EndOfGrowth::kFrontsClose : EndOfGrowth::kLayers;
+}
+
+void set_core(const py::handle& value, Settings& settings) {
+  const auto name = py::isinstance<py::str>(value) ? value.cast<std::string>() : "";
+  if (name != "quads" && name != "triangles") {
+    throw InvalidInput("core must be \"quads\" or \"triangles\", got " + shown(value));
+  }
+  settings.core = name == "quads" ? CoreElements::kQuads : CoreElements::kTriangles;
+}
+
+WallSpec wall_of(const py::handle& value) {
+  if (!py::isinstance<py::dict>(value)) {
+    throw InvalidInput("walls must hold dictionaries, got " + shown(value));
+  }
+  WallSpec wall;
+  for (const auto& [key, item] : value.cast<py::dict>()) {
+    const auto name = py::str(key).cast<std::string>();
+    if (name == "edges") {
+      wall.edges = names<EdgeId>(item, "walls: edges", "Edge");
+    } else if (name == "faces") {
+      wall.faces = names<FaceId>(item, "walls: faces", "Face");
+    } else if (name == "first_height") {
+      wall.first_height = number(item, "walls: first_height");
+    } else if (name == "growth") {
+      wall.growth = number(item, "walls: growth");
+    } else if (name == "layers") {
+      wall.layers = count(item, "walls: layers");
+    } else {
+      throw InvalidInput("walls: unknown key \"" + name + "\"");
+    }
+  }
+  if (wall.edges.empty()) throw InvalidInput("walls: \"edges\" is missing or empty");
+  return wall;
+}
+
+void set_walls(const py::handle& value, Settings& settings) {
+  if (py::isinstance<py::str>(value)) {
+    if (value.cast<std::string>() != "all") {
+      throw InvalidInput("walls must be \"all\" or a list, got " + shown(value));
+    }
+    return;
+  }
+  if (!py::isinstance<py::iterable>(value)) {
+    throw InvalidInput("walls must be \"all\" or a list, got " + shown(value));
+  }
+  settings.walls_all = false;
+  for (const py::handle item : value) settings.walls.push_back(wall_of(item));
+}
+
+void set_faces(const py::handle& value, Settings& settings) {
+  if (py::isinstance<py::str>(value) && value.cast<std::string>() == "all") return;
+  settings.faces = names<FaceId>(value, "faces", "Face");
+  if (settings.faces.empty()) throw InvalidInput("faces must not be empty");
+}
+
+// One row per keyword: the table that the constructor follows.
+struct Keyword {
+  const char* name;
+  void (*set)(const py::handle& value, Settings& settings);
+};
+
+const Keyword kKeywords[] = {
+    {"size", [](const py::handle& v, Settings& s) { s.size = number(v, "size"); }},
+    {"first_height",
+     [](const py::handle& v, Settings& s) { s.first_height = number(v, "first_height"); }},
+    {"growth", [](const py::handle& v, Settings& s) { s.growth = number(v, "growth"); }},
+    {"layers", set_layers},
+    {"feature_angle",
+     [](const py::handle& v, Settings& s) { s.feature_angle = number(v, "feature_angle"); }},
+    {"curvature_angle",
+     [](const py::handle& v, Settings& s) { s.curvature_angle = number(v, "curvature_angle"); }},
+    {"core", set_core},
+    {"walls", set_walls},
+    {"match",
+     [](const py::handle& v, Settings& s) { s.match_edges = names<EdgeId>(v, "match", "Edge"); }},
+    {"off",
+     [](const py::handle& v, Settings& s) { s.off_edges = names<EdgeId>(v, "off", "Edge"); }},
+    {"faces", set_faces},
+    {"threads", [](const py::handle& v, Settings& s) { s.threads = count(v, "threads"); }},
+};
+
+Settings settings_of(const py::kwargs& keywords) {
+  Settings settings;
+  for (const auto& [key, value] : keywords) {
+    const auto name = key.cast<std::string>();
+    const Keyword* known = nullptr;
+    for (const Keyword& keyword : kKeywords) {
+      if (name == keyword.name) known = &keyword;
+    }
+    if (known == nullptr) throw InvalidInput("unknown setting \"" + name + "\"");
+    known->set(value, settings);
+  }
+  for (const char* needed : {"size", "first_height"}) {
+    if (!keywords.contains(needed)) {
+      throw InvalidInput(std::string("setting \"") + needed + "\" is missing");
+    }
+  }
+  return settings;
+}
+
+py::object layers_of(const Settings& settings) {
+  if (settings.end == EndOfGrowth::kIsotropic) return py::str("isotropic");
+  return py::int_(settings.layers);
+}
+
+std::string describe(const Settings& settings) {
+  return "<Settings: size " + shown(py::float_(settings.size)) + ", first_height " +
+         shown(py::float_(settings.first_height)) + ", growth " +
+         shown(py::float_(settings.growth)) + ", layers " + shown(layers_of(settings)) + ">";
+}
+
+constexpr const char* kDoc =
+    "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=20,\n"
+    "curvature_angle=20, core=\"quads\", walls=\"all\", match=[], off=[], faces=\"all\", "
+    "threads=0)\n\n"
+    "size, first_height in mm; angles in degrees. layers: a number, 0 = until the fronts close, "
+    "or\n"
+    "\"isotropic\". walls: \"all\", or a list of {\"edges\": [\"Edge3\"], \"faces\": [\"Face1\"],\n"
+    "\"first_height\": ..., \"growth\": ..., \"layers\": ...}. threads: 0 = as many as there "
+    "are.\n\n"
+    "Raises InvalidInput naming the setting and its value. Values that depend on the model are\n"
+    "checked by Mesher.";
+
+}  // namespace
+
+void bind_settings(py::module_& module) {
+  py::class_<Settings>(module, "Settings", kDoc)
+      .def(py::init(&settings_of))
+      .def_readonly("size", &Settings::size, "Target edge length [mm].")
+      .def_readonly("first_height", &Settings::first_height, "Height of the first layer [mm].")
+      .def_readonly("growth", &Settings::growth, "Ratio of each height to the one before.")
+      .def_property_readonly("layers", &layers_of, "Number of layers, or \"isotropic\".")
+      .def_readonly("feature_angle", &Settings::feature_angle, "[deg]")
+      .def_readonly("curvature_angle", &Settings::curvature_angle, "[deg]")
+      .def_property_readonly(
+          "core",
+          [](const Settings& s) { return s.core == CoreElements::kQuads ? "quads" : "triangles"; })
+      .def_readonly("threads", &Settings::threads)
+      .def("__repr__", &describe);
+}
+
+}  // namespace advlayers::python

@@ -1,0 +1,12 @@
+#include "bindings.h"
+
+PYBIND11_MODULE(_core, module) {
+  using namespace advlayers::python;
+  module.doc() =
+      "Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees.";
+  bind_errors(module);
+  bind_model(module);
+  bind_settings(module);
+  bind_result(module);
+  bind_mesher(module);
+}

@@ -1,0 +1,183 @@
+"""Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees."""
+import os
+from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+class InvalidInput(ValueError):
+    """The caller's fault: a setting, a name, a file that is not there."""
+
+class GeometryError(RuntimeError):
+    """The shape's fault: nothing in it that could be meshed."""
+
+class Cancelled(Exception):
+    """A stop that was asked for with Mesher.cancel()."""
+
+class InternalError(RuntimeError):
+    """A fault of this library: please report it with the model."""
+
+class Model:
+    """A BRep, read once; faces, edges and vertices are numbered from 1, as FreeCAD does."""
+
+    @property
+    def face_count(self) -> int: ...
+    @property
+    def edge_count(self) -> int: ...
+    @property
+    def vertex_count(self) -> int: ...
+    @property
+    def diagonal(self) -> float:
+        """Diagonal of the bounding box [mm]."""
+    @property
+    def closed(self) -> bool:
+        """Whether every edge is used by exactly two face sides."""
+
+def read_brep(text: str) -> Model:
+    """Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it.
+
+    Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.
+    """
+
+def read_file(path: Union[str, "os.PathLike[str]"]) -> Model:
+    """Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm.
+
+    Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no face.
+    """
+
+class Settings:
+    """What is asked for; size and first_height in mm, angles in degrees.
+
+    layers: a number, 0 = until the fronts close, or "isotropic". walls: "all", or a list of
+    {"edges": ["Edge3"], "faces": ["Face1"], "first_height": ..., "growth": ..., "layers": ...},
+    of which all but "edges" may be left out. threads: 0 = as many as there are.
+
+    Raises InvalidInput naming the setting and its value. What depends on the model is checked
+    by Mesher.
+    """
+
+    def __init__(
+        self, *, size: float, first_height: float, growth: float = ...,
+        layers: Union[int, Literal["isotropic"]] = ..., feature_angle: float = ...,
+        curvature_angle: float = ..., core: Literal["quads", "triangles"] = ...,
+        walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
+        match: Iterable[str] = ..., off: Iterable[str] = ...,
+        faces: Union[Literal["all"], Iterable[str]] = ..., threads: int = ...,
+    ) -> None: ...
+    @property
+    def size(self) -> float: ...
+    @property
+    def first_height(self) -> float: ...
+    @property
+    def growth(self) -> float: ...
+    @property
+    def layers(self) -> Union[int, str]: ...
+    @property
+    def feature_angle(self) -> float: ...
+    @property
+    def curvature_angle(self) -> float: ...
+    @property
+    def core(self) -> str: ...
+    @property
+    def threads(self) -> int: ...
+
+class LayerReport:
+    """One layer of one patch."""
+
+    @property
+    def patch(self) -> int:
+        """Index into Mesh.patches, from 0."""
+    @property
+    def layer(self) -> int:
+        """From 1."""
+    @property
+    def front_vertices(self) -> int:
+        """After the layer."""
+    @property
+    def quads(self) -> int:
+        """Made in this layer."""
+    @property
+    def triangles(self) -> int:
+        """Made in this layer."""
+    @property
+    def vetoes(self) -> Dict[str, int]:
+        """Why local operations were refused -> how often."""
+    @property
+    def events(self) -> Dict[str, int]:
+        """Why the front lost edges -> how often."""
+    @property
+    def stops(self) -> Dict[str, int]:
+        """Why front vertices got no further kid -> how many."""
+
+class Mesh:
+    """A finished mesh, frozen: its arrays are read-only views. Node indices count from 0."""
+
+    @property
+    def nodes(self) -> NDArray[np.float64]:
+        """(n, 3) [mm]"""
+    @property
+    def quads(self) -> NDArray[np.int32]:
+        """(q, 4), counter-clockwise against the outward normal"""
+    @property
+    def triangles(self) -> NDArray[np.int32]:
+        """(t, 3), counter-clockwise against the outward normal"""
+    @property
+    def face_of_quad(self) -> NDArray[np.int32]:
+        """(q,), number of the CAD face, from 1"""
+    @property
+    def face_of_triangle(self) -> NDArray[np.int32]:
+        """(t,), number of the CAD face, from 1"""
+    @property
+    def layer_of_quad(self) -> NDArray[np.int32]:
+        """(q,), 0: core"""
+    @property
+    def layer_of_triangle(self) -> NDArray[np.int32]:
+        """(t,), 0: core"""
+    @property
+    def node_parent(self) -> NDArray[np.int32]:
+        """(n,), the node it was extruded from; -1: none"""
+    @property
+    def node_layer(self) -> NDArray[np.int32]:
+        """(n,), the layer it was extruded in; 0: boundary or core"""
+    @property
+    def edge_segments(self) -> Dict[int, NDArray[np.int32]]:
+        """CAD edge number (from 1) -> (k, 2), its mesh edges in order"""
+    @property
+    def patches(self) -> List[Dict[str, Any]]:
+        """Per patch: patch, faces, layers, quads, triangles, events, triangles_by_cause, vetoes"""
+    @property
+    def walls(self) -> List[Dict[str, Any]]:
+        """Per wall edge and face: edge, face, first_height, growth, achieved_first_height
+        {min, mean, max}, achieved_growth, layers, stops; empty in a snapshot"""
+    @property
+    def diagnostics(self) -> List[Dict[str, Any]]:
+        """Each: severity ("info", "warning", "error"), code, patch (or None), layer, point, text"""
+    @property
+    def figures(self) -> Dict[str, Union[int, float]]:
+        """Quality figures, as in the report; all zero in a snapshot"""
+    @property
+    def seconds(self) -> Dict[str, float]:
+        """Wall-clock times: boundary, triangulate, layers, core"""
+
+class Mesher:
+    """Mesher(model, settings) -> iterator of LayerReport, one per layer and patch.
+
+    The caller owns the loop and may stop after any layer. The global interpreter lock is released
+    while it works. The same input gives the same mesh for any number of threads.
+
+    Raises InvalidInput naming a wrong setting; Cancelled from the loop and from result() after
+    cancel(); KeyboardInterrupt.
+    """
+
+    def __init__(self, model: Model, settings: Settings) -> None: ...
+    def __iter__(self) -> Iterator[LayerReport]: ...
+    def __next__(self) -> LayerReport: ...
+    def cancel(self) -> None:
+        """Stops the work, for good; may be called from any thread."""
+    def snapshot(self) -> Mesh:
+        """The Mesh as it stands, before result(); its walls and figures are not measured."""
+    def result(self) -> Mesh:
+        """Finishes the core and gives the Mesh; the same object every time.
+
+        May be called before the loop has ended: the layers so far are kept.
+        """
