@@ -132,6 +132,11 @@ double EdgeCurve::parameter_at(double length) {
   return t;
 }
 
+std::vector<double> EdgeCurve::pieces() const {
+  if (edge_->degenerate) return {edge_->first, edge_->last};
+  return breaks(GeomAbs_CN);
+}
+
 std::vector<double> EdgeCurve::kinks(double angle) const {
   std::vector<double> out;
   if (edge_->degenerate) return out;

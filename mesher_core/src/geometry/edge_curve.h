@@ -19,6 +19,7 @@ class EdgeCurve {
   // Both work on the whole edge: length from the first parameter, and its inverse.
   double length_at(double t);
   double parameter_at(double length);
+  std::vector<double> pieces() const;
   std::vector<double> kinks(double angle) const;
 
  private:

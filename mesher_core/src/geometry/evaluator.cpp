@@ -36,11 +36,22 @@ struct Evaluator::Impl {
     if (!slot) {
       const Edge& edge = model->edge(e);
       if (!(edge.last > edge.first)) throw GeometryError(edge_name(e) + " has no curve");
-      const Vec3 pole = edge.start.valid() ? model->vertex(edge.start).xyz : Vec3(Vec3::Zero());
+      const Vec3 pole = edge.start.valid() ? model->vertex(edge.start).xyz : pole_of(e);
       slot = translated(
           "edge", [&] { return std::make_unique<EdgeCurve>(model->shape().edge(e), edge, pole); });
     }
     return *slot;
+  }
+
+  // Where a degenerate edge without a vertex lies: on any face that has it.
+  Vec3 pole_of(EdgeId e) {
+    for (const FaceId f : model->edge(e).faces) {
+      const Pcurve* pcurve = model->shape().pcurve(f, e, 0);
+      if (!pcurve) continue;
+      const Vec2 uv = pcurve->at(model->edge(e).first, model->edge(e));
+      return surface(f).value(uv.x(), uv.y());
+    }
+    return Vec3::Zero();
   }
 
   Vec2 edge_uv(FaceId f, const CoEdge& coedge, double t) {
@@ -151,6 +162,10 @@ double Evaluator::edge_parameter(EdgeId edge, double t0, double length) {
     EdgeCurve& curve = impl_->curve(edge);
     return curve.parameter_at(curve.length_at(t0) + length);
   });
+}
+
+std::vector<double> Evaluator::edge_pieces(EdgeId edge) {
+  return translated("edge", [&] { return impl_->curve(edge).pieces(); });
 }
 
 std::vector<double> Evaluator::edge_kinks(EdgeId edge, double angle) {

@@ -57,6 +57,8 @@ class Evaluator {
   double edge_length(EdgeId edge, double t0, double t1);
   // The parameter at which that length has been walked from t0, to round-off; held in the range.
   double edge_parameter(EdgeId edge, double t0, double length);
+  // Ends and inner joints of the smooth pieces that the edge's curve is made of.
+  std::vector<double> edge_pieces(EdgeId edge);
   // Parameters inside the edge's range where its tangent turns at once by more than `angle` [rad].
   std::vector<double> edge_kinks(EdgeId edge, double angle);
   // (u, v) of the edge's point on the face, by the co-edge's curve in (u, v), or, where that curve

@@ -1,0 +1,278 @@
+#include "boundary/discretization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "boundary/edge_spacing.h"
+
+namespace advlayers {
+
+namespace {
+
+// Neighbouring segments across a joint of stretches may differ by kMaxJump; where they do, the
+// longer is to begin with kJump times the shorter, which its own growth then brings to kMaxJump.
+constexpr double kMaxJump = 1.5;
+constexpr double kJump = 1.25;
+constexpr int kMaxRounds = 200;
+// Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
+constexpr double kNormalAngle = M_PI / 6.0;
+constexpr int kMinLoop = 3;  // segments
+
+// A stretch of an edge between two joints: CAD vertices, or kinks of the curve.
+struct Stretch {
+  EdgeId edge;
+  double t_begin, t_end;
+  int joints[2];
+  int required = 1;
+  EdgeSpacing spacing;
+};
+
+class Discretizer {
+ public:
+  Discretizer(Evaluator& evaluator, const Settings& settings)
+      : evaluator_(evaluator),
+        model_(evaluator.model()),
+        limits_{settings.size, settings.curvature_angle * M_PI / 180.0, 0.0},
+        joint_count_(static_cast<int>(model_.vertices().size())) {
+    limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
+    choose_faces(settings);
+    make_stretches();
+  }
+
+  Discretization run() {
+    for (Stretch& stretch : stretches_) {
+      stretch.spacing.require(stretch.required);
+      stretch.spacing.cut();
+    }
+    grade();
+    while (part_coincident() || lengthen_loops()) grade();
+    return collect();
+  }
+
+ private:
+  void choose_faces(const Settings& settings) {
+    meshed_.assign(model_.faces().size(), settings.faces.empty());
+    for (const FaceId f : settings.faces) meshed_[f.index()] = true;
+    sides_.resize(model_.edges().size());
+    for (std::size_t f = 0; f < model_.faces().size(); ++f) {
+      if (!model_.faces()[f].defect.empty()) meshed_[f] = false;
+      if (!meshed_[f]) continue;
+      for (const auto& loop : model_.faces()[f].loops) {
+        for (const CoEdge& coedge : loop)
+          sides_[coedge.edge.index()].push_back({FaceId(f), coedge});
+      }
+    }
+  }
+
+  void make_stretches() {
+    of_edge_.resize(model_.edges().size());
+    for (std::size_t i = 0; i < model_.edges().size(); ++i) {
+      const Edge& edge = model_.edges()[i];
+      if (sides_[i].empty() || edge.degenerate) continue;
+      std::vector<double> ends{edge.first};
+      // A kink turns no matter how short the segments: it takes a node.
+      const double sharp = 0.5 * limits_.curve_angle;
+      for (const double t : evaluator_.edge_kinks(EdgeId(i), sharp)) ends.push_back(t);
+      ends.push_back(edge.last);
+      const int first = edge.start.valid() ? edge.start.value : joint_count_++;
+      const int last = edge.end.valid() ? edge.end.value : closed_at(edge, first);
+      int from = first;
+      for (std::size_t k = 1; k < ends.size(); ++k) {
+        const int to = k + 1 == ends.size() ? last : joint_count_++;
+        of_edge_[i].push_back(stretches_.size());
+        stretches_.push_back(
+            {EdgeId(i),
+             ends[k - 1],
+             ends[k],
+             {from, to},
+             from == to ? 3 : 1,
+             EdgeSpacing(evaluator_, EdgeId(i), ends[k - 1], ends[k], sides_[i], limits_)});
+        from = to;
+      }
+    }
+  }
+
+  // An edge without vertices is closed.
+  int closed_at(const Edge& edge, int first) {
+    const EdgeId id(static_cast<std::int32_t>(&edge - model_.edges().data()));
+    const Vec3 gap = evaluator_.edge_point(id, edge.first) - evaluator_.edge_point(id, edge.last);
+    return !edge.start.valid() && gap.norm() <= edge.tolerance ? first : joint_count_++;
+  }
+
+  // Lowers the ends of long segments beside short ones until none jumps. Each round looks at the
+  // state before it, so that the outcome does not depend on the order of edges.
+  void grade() {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      std::vector<double> shortest(static_cast<std::size_t>(joint_count_),
+                                   std::numeric_limits<double>::infinity());
+      for (const Stretch& s : stretches_) {
+        for (int end = 0; end < 2; ++end) {
+          double& least = shortest[static_cast<std::size_t>(s.joints[end])];
+          least = std::min(least, s.spacing.end_segment(end));
+        }
+      }
+      bool changed = false;
+      for (Stretch& s : stretches_) {
+        bool lowered = false;
+        for (int end = 0; end < 2; ++end) {
+          const double least = shortest[static_cast<std::size_t>(s.joints[end])];
+          if (s.spacing.end_segment(end) <= kMaxJump * (1.0 + 1e-9) * least) continue;
+          s.spacing.limit_end(end, kJump * least);
+          lowered = true;
+        }
+        if (lowered) s.spacing.cut();
+        changed = changed || lowered;
+      }
+      if (!changed) return;
+    }
+  }
+
+  void require(Stretch& s, int count) {
+    s.required = count;
+    s.spacing.require(count);
+    s.spacing.cut();
+  }
+
+  // Two stretches of one segment between the same joints would be one mesh edge: those that are
+  // not straight, or all where none is, take a node between.
+  bool part_coincident() {
+    std::map<std::pair<int, int>, std::vector<std::size_t>> single;
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      const Stretch& s = stretches_[i];
+      if (s.spacing.count() == 1) single[std::minmax(s.joints[0], s.joints[1])].push_back(i);
+    }
+    bool changed = false;
+    for (const auto& [joints, group] : single) {
+      if (group.size() < 2) continue;
+      std::vector<std::size_t> curved;
+      for (const std::size_t i : group) {
+        const Stretch& s = stretches_[i];
+        const Vec3 chord =
+            evaluator_.edge_point(s.edge, s.t_end) - evaluator_.edge_point(s.edge, s.t_begin);
+        if (s.spacing.length() > chord.norm() * (1.0 + 1e-9)) curved.push_back(i);
+      }
+      for (const std::size_t i : group.size() - curved.size() > 1 ? group : curved) {
+        require(stretches_[i], 2);
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  // A loop needs three segments to hold a triangle: its longest stretches take more.
+  bool lengthen_loops() {
+    bool changed = false;
+    for (std::size_t f = 0; f < model_.faces().size(); ++f) {
+      if (!meshed_[f]) continue;
+      for (const auto& loop : model_.faces()[f].loops) changed = lengthen(loop) || changed;
+    }
+    return changed;
+  }
+
+  bool lengthen(const std::vector<CoEdge>& loop) {
+    int segments = 0;
+    double longest = 0.0;
+    for (const CoEdge& coedge : loop) {
+      for (const std::size_t i : of_edge_[coedge.edge.index()]) {
+        segments += stretches_[i].spacing.count();
+        longest = std::max(longest, stretches_[i].spacing.length());
+      }
+    }
+    if (segments == 0 || segments >= kMinLoop) return false;
+    for (const CoEdge& coedge : loop) {
+      for (const std::size_t i : of_edge_[coedge.edge.index()]) {
+        Stretch& s = stretches_[i];
+        if (s.spacing.length() >= longest * (1.0 - 1e-9)) require(s, s.spacing.count() + 1);
+      }
+    }
+    return true;
+  }
+
+  Discretization collect() {
+    Discretization out;
+    out.edges.resize(model_.edges().size());
+    joint_node_.assign(static_cast<std::size_t>(joint_count_), NodeId());
+    add_vertices(out);
+    for (std::size_t i = 0; i < model_.edges().size(); ++i) {
+      if (sides_[i].empty()) continue;
+      if (model_.edges()[i].degenerate) {
+        add_pole(EdgeId(i), out);
+      } else {
+        add_edge(EdgeId(i), out);
+      }
+    }
+    return out;
+  }
+
+  void add_vertices(Discretization& out) {
+    std::vector<bool> used(model_.vertices().size(), false);
+    for (std::size_t i = 0; i < model_.edges().size(); ++i) {
+      if (sides_[i].empty()) continue;
+      for (const VertexId v : {model_.edges()[i].start, model_.edges()[i].end}) {
+        if (v.valid()) used[v.index()] = true;
+      }
+    }
+    for (std::size_t v = 0; v < used.size(); ++v) {
+      if (!used[v]) continue;
+      joint_node_[v] = NodeId(out.nodes.size());
+      out.nodes.push_back({model_.vertices()[v].xyz, VertexId(v), EdgeId(), 0.0});
+    }
+  }
+
+  NodeId add_node(EdgeId edge, double t, Discretization& out) {
+    out.nodes.push_back({evaluator_.edge_point(edge, t), VertexId(), edge, t});
+    return NodeId(out.nodes.size() - 1);
+  }
+
+  void add_pole(EdgeId id, Discretization& out) {
+    const Edge& edge = model_.edge(id);
+    const NodeId node =
+        edge.start.valid() ? joint_node_[edge.start.index()] : add_node(id, edge.first, out);
+    out.edges[id.index()] = {{node}, {edge.first}};
+  }
+
+  NodeId joint_node(int joint, EdgeId edge, double t, Discretization& out) {
+    NodeId& node = joint_node_[static_cast<std::size_t>(joint)];
+    if (!node.valid()) node = add_node(edge, t, out);
+    return node;
+  }
+
+  void add_edge(EdgeId id, Discretization& out) {
+    EdgeNodes& edge = out.edges[id.index()];
+    for (const std::size_t i : of_edge_[id.index()]) {
+      const Stretch& s = stretches_[i];
+      const NodeId begin = joint_node(s.joints[0], id, s.t_begin, out);
+      if (edge.nodes.empty()) {
+        edge.nodes.push_back(begin);
+        edge.params.push_back(s.t_begin);
+      }
+      const std::vector<double>& cuts = s.spacing.cuts();
+      for (std::size_t k = 1; k + 1 < cuts.size(); ++k) {
+        const double t = evaluator_.edge_parameter(id, s.t_begin, cuts[k]);
+        edge.nodes.push_back(add_node(id, t, out));
+        edge.params.push_back(t);
+      }
+      edge.nodes.push_back(joint_node(s.joints[1], id, s.t_end, out));
+      edge.params.push_back(s.t_end);
+    }
+  }
+
+  Evaluator& evaluator_;
+  const Model& model_;
+  SpacingLimits limits_;
+  int joint_count_;  // joints below the number of CAD vertices are those
+  std::vector<bool> meshed_;
+  std::vector<std::vector<EdgeSpacing::Side>> sides_;  // by EdgeId
+  std::vector<Stretch> stretches_;
+  std::vector<std::vector<std::size_t>> of_edge_;
+  std::vector<NodeId> joint_node_;
+};
+
+}  // namespace
+
+Discretization discretize(Evaluator& evaluator, const Settings& settings) {
+  return Discretizer(evaluator, settings).run();
+}
+
+}  // namespace advlayers

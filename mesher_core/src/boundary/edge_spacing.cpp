@@ -1,0 +1,158 @@
+#include "boundary/edge_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+
+namespace advlayers {
+
+namespace {
+
+// Growth of neighbouring segments: spacing may rise along the edge by the logarithm of it.
+const double kSlope = std::log(1.4);
+// A sampled cell turns at most this part of what a segment may.
+constexpr double kCellPart = 0.25;
+constexpr int kMinDepth = 2, kMaxDepth = 12;
+constexpr double kUniform = 1e-9;  // relative spread of an even spacing
+constexpr double kMaxSegments = 5e6;
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+EdgeSpacing::EdgeSpacing(Evaluator& evaluator, EdgeId edge, double t_begin, double t_end,
+                         const std::vector<Side>& sides, const SpacingLimits& limits)
+    : evaluator_(&evaluator), edge_(edge), t_begin_(t_begin), sides_(&sides), limits_(limits) {
+  std::vector<double> pieces{t_begin};
+  for (const double t : evaluator.edge_pieces(edge)) {
+    if (t > pieces.back() && t < t_end) pieces.push_back(t);
+  }
+  pieces.push_back(t_end);
+  Station a = station(t_begin);
+  samples_.push_back({0.0, limits.size});
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const Station b = station(pieces[i]);
+    refine(a, b, 0);
+    a = b;
+  }
+  sides_ = nullptr;
+}
+
+EdgeSpacing::Station EdgeSpacing::station(double t) const {
+  Station st;
+  st.t = t;
+  st.s = evaluator_->edge_length(edge_, t_begin_, t);
+  st.xyz = evaluator_->edge_point(edge_, t);
+  st.tangent = evaluator_->edge_tangent(edge_, t);
+  for (const Side& side : *sides_) {
+    if (evaluator_->model().face(side.face).kind == SurfaceKind::kPlane) continue;
+    const Vec2 uv = evaluator_->edge_uv(side.face, side.coedge, t);
+    const SurfaceFrame frame = evaluator_->frame(side.face, uv.x(), uv.y());
+    st.normals.push_back(frame.degenerate ? Vec3(Vec3::Zero()) : frame.normal);
+  }
+  return st;
+}
+
+// The spacing at which a segment between the two would turn as much as it may.
+double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
+  const double ds = b.s - a.s;
+  double spacing = std::numeric_limits<double>::infinity();
+  if (!(ds > 0.0)) return spacing;
+  // A curve may come to a stop at its end (coincident poles): the chord tells its direction there.
+  const Vec3 chord = b.xyz - a.xyz;
+  const double least = 1e-9 * ds / std::max(std::abs(b.t - a.t), 1e-300);
+  const Vec3& from = a.tangent.norm() > least ? a.tangent : chord;
+  const Vec3& to = b.tangent.norm() > least ? b.tangent : chord;
+  const double turn = angle_between(from, to);
+  if (turn > 0.0) spacing = ds * limits_.curve_angle / turn;
+  for (std::size_t i = 0; i < a.normals.size(); ++i) {
+    if (a.normals[i].isZero() || b.normals[i].isZero()) continue;
+    const double normal_turn = angle_between(a.normals[i], b.normals[i]);
+    if (normal_turn > 0.0) spacing = std::min(spacing, ds * limits_.normal_angle / normal_turn);
+  }
+  return spacing;
+}
+
+void EdgeSpacing::refine(const Station& a, const Station& b, int depth) {
+  const Station mid = station(0.5 * (a.t + b.t));
+  const double left = turn_spacing(a, mid), right = turn_spacing(mid, b);
+  const double ds = std::max(mid.s - a.s, b.s - mid.s);
+  const bool coarse = ds > kCellPart * std::min({left, right});
+  if (depth < kMinDepth || (coarse && depth < kMaxDepth)) {
+    refine(a, mid, depth + 1);
+    refine(mid, b, depth + 1);
+    return;
+  }
+  // Each sample takes the finer of its two cells.
+  samples_.back().spacing = std::min(samples_.back().spacing, left);
+  if (mid.s > samples_.back().s) {
+    samples_.push_back({mid.s, std::min({limits_.size, left, right})});
+  }
+  if (b.s > samples_.back().s) samples_.push_back({b.s, std::min(limits_.size, right)});
+}
+
+void EdgeSpacing::limit_end(int end, double spacing) {
+  end_limit_[end] = std::min(end_limit_[end], spacing);
+}
+
+// The wanted spacing, held to the slope from every sample and from the ends.
+std::vector<double> EdgeSpacing::graded() const {
+  std::vector<double> h(samples_.size());
+  for (std::size_t i = 0; i < h.size(); ++i) h[i] = samples_[i].spacing;
+  h.front() = std::min(h.front(), end_limit_[0]);
+  h.back() = std::min(h.back(), end_limit_[1]);
+  for (std::size_t i = 1; i < h.size(); ++i) {
+    h[i] = std::min(h[i], h[i - 1] + kSlope * (samples_[i].s - samples_[i - 1].s));
+  }
+  for (std::size_t i = h.size() - 1; i-- > 0;) {
+    h[i] = std::min(h[i], h[i + 1] + kSlope * (samples_[i + 1].s - samples_[i].s));
+  }
+  return h;
+}
+
+void EdgeSpacing::cut() {
+  const std::vector<double> h = graded();
+  // Segments up to each sample: the integral of ds / h, h linear between samples.
+  std::vector<double> shares(h.size(), 0.0);
+  for (std::size_t i = 1; i < h.size(); ++i) {
+    const double ds = samples_[i].s - samples_[i - 1].s, dh = h[i] - h[i - 1];
+    const double rise = dh / h[i - 1];
+    const double share = std::abs(rise) < 1e-9 ? ds / h[i - 1] : ds / dh * std::log1p(rise);
+    shares[i] = shares[i - 1] + share;
+  }
+  const double total = shares.back();
+  if (!(total < kMaxSegments)) {
+    throw InvalidInput("size: " + std::to_string(limits_.size) + " mm would cut " +
+                       edge_name(edge_) + " into " + std::to_string(total) + " segments");
+  }
+  const int n = std::max(required_, static_cast<int>(std::ceil(total - kUniform * (1.0 + total))));
+  const auto [least, most] = std::minmax_element(h.begin(), h.end());
+  const bool uniform = *most - *least <= kUniform * *most;
+  cuts_.assign(1, 0.0);
+  std::size_t cell = 1;
+  for (int k = 1; k < n; ++k) {
+    if (uniform) {
+      cuts_.push_back(length() * k / n);
+      continue;
+    }
+    const double share = total * k / n;
+    while (cell + 1 < shares.size() && shares[cell] < share) ++cell;
+    const double ds = samples_[cell].s - samples_[cell - 1].s;
+    const double slope = (h[cell] - h[cell - 1]) / ds, part = share - shares[cell - 1];
+    const bool level = std::abs(slope * part) < 1e-9;
+    const double walked =
+        level ? part * h[cell - 1] : h[cell - 1] * std::expm1(slope * part) / slope;
+    cuts_.push_back(samples_[cell - 1].s + std::min(walked, ds));
+  }
+  cuts_.push_back(length());
+}
+
+double EdgeSpacing::end_segment(int end) const {
+  return end == 0 ? cuts_[1] - cuts_[0] : cuts_.back() - cuts_[cuts_.size() - 2];
+}
+
+}  // namespace advlayers

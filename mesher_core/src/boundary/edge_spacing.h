@@ -1,0 +1,69 @@
+// How one smooth stretch of a CAD edge is cut: target spacing along its arc length, counted and
+// placed so that each segment holds an equal share.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "geometry/evaluator.h"
+
+namespace advlayers {
+
+struct SpacingLimits {
+  double size;          // [mm] longest segment
+  double curve_angle;   // [rad] a segment of the curve may turn
+  double normal_angle;  // [rad] the normals of the faces beside it may turn along a segment
+};
+
+class EdgeSpacing {
+ public:
+  // The stretch between two parameters of the edge, which no kink divides. `sides`: the meshed
+  // faces beside it, with the co-edges by which they use it.
+  struct Side {
+    FaceId face;
+    CoEdge coedge;
+  };
+  EdgeSpacing(Evaluator& evaluator, EdgeId edge, double t_begin, double t_end,
+              const std::vector<Side>& sides, const SpacingLimits& limits);
+
+  double length() const { return samples_.back().s; }
+  // At least so many segments.
+  void require(int count) { required_ = count; }
+  // The segment at an end (0: the begin) is to be about `spacing` long, and those after it to grow
+  // from there. Only ever lowered.
+  void limit_end(int end, double spacing);
+  // Cuts anew; arc lengths from the begin, both ends included.
+  // Throws InvalidInput where the size would cut the edge into millions.
+  void cut();
+  const std::vector<double>& cuts() const { return cuts_; }
+  int count() const { return static_cast<int>(cuts_.size()) - 1; }
+  double end_segment(int end) const;
+
+ private:
+  struct Sample {
+    double s;        // arc length from the begin [mm]
+    double spacing;  // wanted there by size and angles [mm]
+  };
+  struct Station {
+    double t, s;
+    Vec3 xyz, tangent;
+    std::vector<Vec3> normals;
+  };
+  Station station(double t) const;
+  void refine(const Station& a, const Station& b, int depth);
+  double turn_spacing(const Station& a, const Station& b) const;
+  std::vector<double> graded() const;
+
+  Evaluator* evaluator_;
+  EdgeId edge_;
+  double t_begin_;
+  const std::vector<Side>* sides_;  // while sampling only
+  SpacingLimits limits_;
+  std::vector<Sample> samples_;
+  int required_ = 1;
+  double end_limit_[2] = {std::numeric_limits<double>::infinity(),
+                          std::numeric_limits<double>::infinity()};
+  std::vector<double> cuts_;
+};
+
+}  // namespace advlayers

@@ -1,0 +1,141 @@
+#include "sizing/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "base/error.h"
+#include "geometry/model.h"
+
+namespace advlayers {
+
+namespace {
+
+constexpr double kMaxGrowth = 10.0;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& rule, double value,
+                         const std::string& where) {
+  std::ostringstream text;
+  text << name << " must be " << rule << ", got " << value;
+  if (!where.empty()) text << " (" << where << ")";
+  throw InvalidInput(text.str());
+}
+
+void check_positive(const std::string& name, double value, const std::string& where = "") {
+  if (!(std::isfinite(value) && value > 0.0)) refuse(name, "> 0 mm", value, where);
+}
+
+void check_growth(double growth, const std::string& where = "") {
+  if (!(growth >= 1.0)) refuse("growth", ">= 1", growth, where);
+  if (!(growth <= kMaxGrowth)) refuse("growth", "<= 10", growth, where);
+}
+
+void check_angles(const Settings& settings) {
+  if (!(settings.feature_angle >= 0.0 && settings.feature_angle < 180.0)) {
+    refuse("feature_angle", "in [0, 180) degrees", settings.feature_angle, "");
+  }
+  if (!(settings.curvature_angle > 0.0 && settings.curvature_angle <= 90.0)) {
+    refuse("curvature_angle", "in (0, 90] degrees", settings.curvature_angle, "");
+  }
+}
+
+std::string count_of(std::size_t n, const char* noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+void check_edge(EdgeId e, const Model& model, const char* list) {
+  if (e.value >= 0 && e.index() < model.edges().size()) return;
+  throw InvalidInput(std::string(list) + ": there is no " + edge_name(e) + ", the model has " +
+                     count_of(model.edges().size(), "edge"));
+}
+
+void check_face(FaceId f, const Model& model, const char* list) {
+  if (f.value >= 0 && f.index() < model.faces().size()) return;
+  throw InvalidInput(std::string(list) + ": there is no " + face_name(f) + ", the model has " +
+                     count_of(model.faces().size(), "face"));
+}
+
+void check_wall(const WallSpec& wall, const Model& model) {
+  if (wall.edges.empty()) throw InvalidInput("walls: an entry lists no edge");
+  for (const EdgeId e : wall.edges) {
+    check_edge(e, model, "walls");
+    if (!model.edge(e).degenerate) continue;
+    throw InvalidInput("walls: " + edge_name(e) + " is a pole without length, nothing grows there");
+  }
+  const std::string where = edge_name(wall.edges.front());
+  for (const FaceId f : wall.faces) {
+    check_face(f, model, "walls");
+    const bool touches = std::any_of(wall.edges.begin(), wall.edges.end(), [&](EdgeId e) {
+      const std::vector<FaceId>& beside = model.edge(e).faces;
+      return std::find(beside.begin(), beside.end(), f) != beside.end();
+    });
+    if (!touches) {
+      throw InvalidInput("walls: " + face_name(f) +
+                         " touches none of the edges it is listed for (" + where +
+                         (wall.edges.size() > 1 ? ", ...)" : ")"));
+    }
+  }
+  if (wall.first_height) check_positive("first_height", *wall.first_height, where);
+  if (wall.growth) check_growth(*wall.growth, where);
+  if (wall.layers && *wall.layers < 0) refuse("layers", ">= 0", *wall.layers, where);
+}
+
+// Two entries of one edge are one too many unless each keeps to faces of its own.
+void check_walls_apart(const Settings& settings) {
+  std::map<EdgeId, std::vector<const WallSpec*>> entries;
+  for (const WallSpec& wall : settings.walls) {
+    for (const EdgeId e : wall.edges) entries[e].push_back(&wall);
+  }
+  for (const auto& [edge, walls] : entries) {
+    std::vector<FaceId> taken;
+    for (const WallSpec* wall : walls) {
+      bool overlap = walls.size() > 1 && wall->faces.empty();
+      for (const FaceId f : wall->faces) {
+        overlap = overlap || std::find(taken.begin(), taken.end(), f) != taken.end();
+      }
+      if (overlap) throw InvalidInput("walls: " + edge_name(edge) + " is listed twice");
+      taken.insert(taken.end(), wall->faces.begin(), wall->faces.end());
+    }
+  }
+}
+
+void check_conditions(const Settings& settings, const Model& model) {
+  std::map<EdgeId, const char*> condition;
+  const auto claim = [&](EdgeId e, const char* list) {
+    const auto [it, fresh] = condition.emplace(e, list);
+    if (fresh || it->second == list) return;
+    throw InvalidInput(edge_name(e) + " is in both " + it->second + " and " + list);
+  };
+  static constexpr const char *kWalls = "walls", *kMatch = "match", *kOff = "off";
+  for (const WallSpec& wall : settings.walls) {
+    check_wall(wall, model);
+    for (const EdgeId e : wall.edges) claim(e, kWalls);
+  }
+  for (const EdgeId e : settings.match_edges) {
+    check_edge(e, model, kMatch);
+    claim(e, kMatch);
+  }
+  for (const EdgeId e : settings.off_edges) {
+    check_edge(e, model, kOff);
+    claim(e, kOff);
+  }
+}
+
+}  // namespace
+
+void check(const Settings& settings, const Model& model) {
+  check_positive("size", settings.size);
+  check_positive("first_height", settings.first_height);
+  check_growth(settings.growth);
+  check_angles(settings);
+  if (settings.end == EndOfGrowth::kLayers && settings.layers < 1) {
+    refuse("layers", ">= 1", settings.layers, "");
+  }
+  if (settings.threads < 0) refuse("threads", ">= 0", settings.threads, "");
+  for (const FaceId f : settings.faces) check_face(f, model, "faces");
+  check_conditions(settings, model);
+  check_walls_apart(settings);
+}
+
+}  // namespace advlayers
