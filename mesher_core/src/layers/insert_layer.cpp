@@ -55,49 +55,67 @@ void insert(LayerState& state, Kid& kid) {
   }
 }
 
-// The edges between the kids of a cell; a fan's diagonal kid stands between two.
-bool recover_kid_edges(LayerState& state, const LayerPlan& plan, const Cell& cell) {
-  std::vector<int> chain{cell.kid_from};
-  if (cell.diagonal >= 0) chain.push_back(cell.diagonal);
-  if (cell.kid_to != cell.kid_from) chain.push_back(cell.kid_to);
-  for (const int kid : chain) {
-    if (!plan.kids[index(kid)].alive) return false;
+VertexH vertex_of(const LayerState& state, const LayerPlan& plan, const CellCorner& corner) {
+  return corner.node >= 0 ? state.front[corner.node].vertex : plan.kids[index(corner.kid)].vertex;
+}
+
+// The edge from corner k of the cell to the next; invalid where it is not in the mesh.
+HalfedgeH cell_edge(const LayerState& state, const LayerPlan& plan, const Cell& cell,
+                    std::size_t k) {
+  const VertexH a = vertex_of(state, plan, cell.corners[k]);
+  const VertexH b = vertex_of(state, plan, cell.corners[(k + 1) % cell.corners.size()]);
+  return a.valid() && b.valid() ? state.mesh.find_halfedge(a, b) : HalfedgeH();
+}
+
+bool recover_sides(LayerState& state, const LayerPlan& plan, const Cell& cell) {
+  for (const CellCorner& corner : cell.corners) {
+    if (corner.kid >= 0 && !plan.kids[index(corner.kid)].alive) return false;
   }
-  for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
-    if (!freeze(state, plan.kids[index(chain[k])].vertex, plan.kids[index(chain[k + 1])].vertex)) {
-      return false;
-    }
+  for (std::size_t k = 0; k < cell.corners.size(); ++k) {
+    const VertexH a = vertex_of(state, plan, cell.corners[k]);
+    const VertexH b = vertex_of(state, plan, cell.corners[(k + 1) % cell.corners.size()]);
+    if (!freeze(state, a, b)) return false;
   }
   return true;
 }
 
-// A half-edge of the cell with the cell on its left, and how many triangles fill it.
-HalfedgeH cell_edge(const LayerState& state, const LayerPlan& plan, const Cell& cell) {
-  const SurfaceMesh& mesh = state.mesh;
-  const VertexH from = state.front[cell.from].vertex;
-  if (cell.diagonal >= 0) return mesh.find_halfedge(from, plan.kids[index(cell.kid_to)].vertex);
-  const int along = cell.middle >= 0 ? cell.middle : cell.to;
-  return mesh.find_halfedge(from, state.front[along].vertex);
+bool is_core(const SurfaceMesh& mesh, HalfedgeH h) {
+  return !mesh.is_border(h) && mesh.is_triangle(h) && mesh.data(mesh.face(h)).layer == 0;
 }
-std::size_t cell_triangles(const Cell& cell) {
-  return cell.diagonal < 0 && cell.middle < 0 && cell.kid_from == cell.kid_to ? 1 : 2;
+
+// Combines the two triangles of a cleared quad.
+bool combine(LayerState& state, HalfedgeH side) {
+  HalfedgeH h = side;
+  for (int k = 0; k < 3 && state.mesh.frozen(h); ++k) h = state.mesh.next(h);
+  const Veto veto = state.mesh.combine_veto(h);
+  count(state.report->vetoes, veto);
+  if (veto != Veto::kNone) return false;
+  state.mesh.combine(h);
+  ++state.report->quads;
+  return true;
 }
 
 bool close(LayerState& state, const LayerPlan& plan, const Cell& cell) {
-  const std::vector<FaceH> faces = clear_region(state.mesh, cell_edge(state, plan, cell),
-                                                kMostFaces, state.limits, state.report->vetoes);
-  if (faces.size() != cell_triangles(cell)) return false;
+  const HalfedgeH side = cell_edge(state, plan, cell, 0);
+  if (!is_core(state.mesh, side)) return false;
+  const std::vector<FaceH> faces =
+      clear_region(state.mesh, side, kMostFaces, state.limits, state.report->vetoes);
+  if (faces.size() != cell.corners.size() - 2) return false;
+  if (!cell.layered) return combine(state, side);
   for (const FaceH f : faces) state.mesh.data(f).layer = state.layer;
   return true;
 }
 
-// A failed cell's kid edge is no front.
+// Sides of a failed cell that have core on both sides are no sides of anything.
 void release(LayerState& state, const LayerPlan& plan, const Cell& cell) {
-  const Kid& p = plan.kids[index(cell.kid_from)];
-  const Kid& q = plan.kids[index(cell.kid_to)];
-  if (p.vertex.valid() && q.vertex.valid() && p.vertex != q.vertex) {
-    const HalfedgeH h = state.mesh.find_halfedge(p.vertex, q.vertex);
-    if (h.valid()) state.mesh.set_frozen(h, false);
+  SurfaceMesh& mesh = state.mesh;
+  for (std::size_t k = 0; k < cell.corners.size(); ++k) {
+    const HalfedgeH h = cell_edge(state, plan, cell, k);
+    if (!h.valid() || !is_core(mesh, h) || !is_core(mesh, SurfaceMesh::twin(h))) continue;
+    if (mesh.data(mesh.from(h)).layer == state.layer &&
+        mesh.data(mesh.to(h)).layer == state.layer) {
+      mesh.set_frozen(h, false);
+    }
   }
 }
 
@@ -113,21 +131,19 @@ void insert_kids(LayerState& state, LayerPlan& plan) {
 void recover_cells(LayerState& state, LayerPlan& plan) {
   for (Cell& cell : plan.cells) {
     state.cancel->check();
-    if (cell.alive) cell.alive = recover_kid_edges(state, plan, cell);
-    if (!cell.alive) release(state, plan, cell);
-  }
-  for (Cell& cell : plan.cells) {
-    state.cancel->check();
-    if (!cell.alive) continue;
-    cell.alive = close(state, plan, cell);
-    if (!cell.alive) release(state, plan, cell);
+    if (cell.alive) cell.alive = recover_sides(state, plan, cell);
   }
   std::vector<std::uint8_t> held(plan.kids.size(), 0);
-  for (const Cell& cell : plan.cells) {
+  for (Cell& cell : plan.cells) {
+    state.cancel->check();
+    if (cell.alive) cell.alive = close(state, plan, cell);
     if (!cell.alive) continue;
-    for (const int kid : {cell.kid_from, cell.kid_to, cell.diagonal}) {
-      if (kid >= 0) held[index(kid)] = 1;
+    for (const CellCorner& corner : cell.corners) {
+      if (corner.kid >= 0) held[index(corner.kid)] = 1;
     }
+  }
+  for (const Cell& cell : plan.cells) {
+    if (!cell.alive) release(state, plan, cell);
   }
   for (std::size_t k = 0; k < plan.kids.size(); ++k) {
     if (plan.kids[k].alive && held[k] == 0) undo(state, plan.kids[k]);
@@ -136,33 +152,26 @@ void recover_cells(LayerState& state, LayerPlan& plan) {
 
 void combine_cells(LayerState& state, const LayerPlan& plan) {
   for (const Cell& cell : plan.cells) {
-    if (!cell.alive) continue;
-    if (cell_triangles(cell) == 1) {
+    if (!cell.alive || !cell.layered) continue;
+    if (cell.corners.size() == 3) {
       ++state.report->triangles;
-      continue;
-    }
-    HalfedgeH h = cell_edge(state, plan, cell);
-    for (int k = 0; k < 3 && state.mesh.frozen(h); ++k) h = state.mesh.next(h);
-    const Veto veto = state.mesh.combine_veto(h);
-    count(state.report->vetoes, veto);
-    if (veto == Veto::kNone) {
-      state.mesh.combine(h);
-      ++state.report->quads;
-    } else {
+    } else if (!combine(state, cell_edge(state, plan, cell, 0))) {
       state.report->triangles += 2;
     }
   }
 }
 
-void advance_front(LayerState& state, const LayerPlan& plan) {
-  Front& front = state.front;
-  std::vector<int> node_of(plan.kids.size(), -1);
-  std::vector<FrontNode> nodes;
-  const auto node_at = [&](int k) {
-    int& i = node_of[index(k)];
+namespace {
+
+// The next front's nodes, made from kids as they are asked for.
+class NodeMaker {
+ public:
+  explicit NodeMaker(const LayerPlan& plan) : plan_(plan), node_of_(plan.kids.size(), -1) {}
+  int at(int k) {
+    int& i = node_of_[index(k)];
     if (i >= 0) return i;
-    i = static_cast<int>(nodes.size());
-    const Kid& kid = plan.kids[index(k)];
+    i = static_cast<int>(nodes_.size());
+    const Kid& kid = plan_.kids[index(k)];
     FrontNode node;
     node.vertex = kid.vertex;
     node.height = kid.height;
@@ -170,42 +179,59 @@ void advance_front(LayerState& state, const LayerPlan& plan) {
     node.layers_left = kid.layers_left;
     node.root = kid.root;
     node.fan_age = kid.fan_age;
-    nodes.push_back(node);
+    nodes_.push_back(node);
     return i;
-  };
-  const auto join = [&](int p, int q) {
-    const int a = node_at(p), b = node_at(q);
-    nodes[index(a)].next = b;
-    nodes[index(b)].prev = a;
-  };
-  std::vector<std::uint8_t> covered(front.nodes().size(), 0);
+  }
+  void join(int p, int q) {
+    const int a = at(p), b = at(q);
+    nodes_[index(a)].next = b;
+    nodes_[index(b)].prev = a;
+  }
+  std::vector<FrontNode> release() { return std::move(nodes_); }
+
+ private:
+  const LayerPlan& plan_;
+  std::vector<int> node_of_;
+  std::vector<FrontNode> nodes_;
+};
+
+// Sides that face the core and are no front stay where they are.
+void leave_idle_sides(LayerState& state, const LayerPlan& plan) {
+  const SurfaceMesh& mesh = state.mesh;
   for (const Cell& cell : plan.cells) {
-    if (!cell.alive) continue;
-    covered[index(cell.from)] = 1;
-    if (cell.middle >= 0) covered[index(cell.middle)] = 1;
-    if (cell.diagonal >= 0) {
-      join(cell.kid_from, cell.diagonal);
-      join(cell.diagonal, cell.kid_to);
-    } else if (cell.kid_from != cell.kid_to) {
-      join(cell.kid_from, cell.kid_to);
-    } else {
-      node_at(cell.kid_from);
+    for (std::size_t k = 0; k < cell.corners.size(); ++k) {
+      const CellCorner& a = cell.corners[k];
+      const CellCorner& b = cell.corners[(k + 1) % cell.corners.size()];
+      const bool front = std::any_of(cell.fronts.begin(), cell.fronts.end(),
+                                     [&](const auto& f) { return a.kid == f[1] && b.kid == f[0]; });
+      if (front && cell.alive) continue;
+      const HalfedgeH h = cell_edge(state, plan, cell, k);
+      if (!h.valid() || !mesh.frozen(h)) continue;
+      // Seen from an alive cell the core lies beyond the side; a failed cell is core itself.
+      const HalfedgeH inner = cell.alive ? SurfaceMesh::twin(h) : h;
+      if (is_core(mesh, inner)) state.front.add_idle_edge(inner);
     }
   }
-  // A front edge that no cell covers stays between its parents.
+}
+
+}  // namespace
+
+void advance_front(LayerState& state, const LayerPlan& plan) {
+  Front& front = state.front;
+  NodeMaker maker(plan);
+  for (const Cell& cell : plan.cells) {
+    if (!cell.alive) continue;
+    for (const auto& [p, q] : cell.fronts) maker.join(p, q);
+  }
+  leave_idle_sides(state, plan);
   for (int i = 0; i < front.size(); ++i) {
-    const FrontNode& node = front[i];
-    if (!node.active) continue;
-    if (node.next >= 0 && covered[index(i)] == 0) {
-      const HalfedgeH h = state.mesh.find_halfedge(node.vertex, front[node.next].vertex);
-      if (h.valid()) front.add_idle_edge(h);
-    }
+    if (!front[i].active) continue;
     const auto& kids = plan.kids_of[index(i)];
     const bool grew =
         std::any_of(kids.begin(), kids.end(), [&](int k) { return plan.kids[index(k)].alive; });
     if (!grew) state.note_stop(i, Stop::kBlocked);
   }
-  front.replace(std::move(nodes));
+  front.replace(maker.release());
 }
 
 }  // namespace advlayers

@@ -22,6 +22,12 @@ constexpr int kFanLayers = 2;                       // fan edges are exempt from
 constexpr double kFanAngle = 247.5 * kDegree;       // from here three quads meet at the corner
 constexpr double kReversalAngle = 315.0 * kDegree;  // and from here four
 constexpr double kEndTurn = 50.0 * kDegree;         // both ends turn this much: the end of a strip
+// Three front edges become one where their kids' edges are on average shorter than this many
+// heights.
+constexpr double kCoarsenLength = 0.95;
+constexpr double kCoarsenLongest = 1.2;
+constexpr double kCoarsenTurn = 25.0 * kDegree;
+constexpr double kTreadHeight = 0.42;  // of the inner kids, in heights: evens the angles out
 constexpr double kLeastCellAngle = 4.0 * kDegree;
 
 class Planner {
@@ -46,11 +52,13 @@ class Planner {
       state_.cancel->check();
       if (advances(i) && plan_.kids_of[index(i)].empty()) extrude(i);
     }
+    for (int i = 0; i < front_.size(); ++i) try_coarsen(i);
     merge_close_kids();
     for (int i = 0; i < front_.size(); ++i) {
-      if (front_[i].next >= 0) add_cell(i, front_[i].next);
+      if (front_[i].next >= 0) add_cell_on(i, front_[i].next);
       add_fan_cells(i);
     }
+    for (Cell& top : tops_) add_cell(std::move(top));
     return std::move(plan_);
   }
 
@@ -288,7 +296,8 @@ class Planner {
   void merge(int i, int k) {
     auto& kids_i = plan_.kids_of[index(i)];
     auto& kids_k = plan_.kids_of[index(k)];
-    if (kids_i.size() != 1 || kids_k.size() != 1) return;
+    if (kids_i.size() != 1 || kids_k.size() != 1 || is_tread(kids_i[0]) || is_tread(kids_k[0]))
+      return;
     Kid& kept = plan_.kids[index(kids_i[0])];
     Kid& gone = plan_.kids[index(kids_k[0])];
     if (kept.parents.size() != 1 || gone.parents.size() != 1) return;
@@ -306,53 +315,120 @@ class Planner {
     state_.count_event(Event::kCollapse);
   }
 
-  Corner kid_corner(int kid) const {
-    return {plan_.kids[index(kid)].point.xyz, plan_.kids[index(kid)].normal};
+  Corner corner_of(const CellCorner& c) const {
+    if (c.node >= 0) return corner(mesh_, front_[c.node].vertex);
+    return {plan_.kids[index(c.kid)].point.xyz, plan_.kids[index(c.kid)].normal};
   }
-  // All corners of the planned quad are convex.
-  static bool convex(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
-    return std::min({min_angle(a, b, c), min_angle(b, c, d), min_angle(c, d, a),
-                     min_angle(d, a, b)}) > kLeastCellAngle;
+  // Every corner of the planned cell is convex, and no angle next to nothing.
+  bool convex(const Cell& cell) const {
+    const std::size_t n = cell.corners.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      if (min_angle(corner_of(cell.corners[k]), corner_of(cell.corners[(k + 1) % n]),
+                    corner_of(cell.corners[(k + 2) % n])) < kLeastCellAngle) {
+        return false;
+      }
+    }
+    return true;
+  }
+  void add_cell(Cell cell) {
+    cell.alive = convex(cell);
+    plan_.cells.push_back(std::move(cell));
   }
 
-  void add_cell(int from, int to) {
-    if (plan_.kids_of[index(from)].empty() || plan_.kids_of[index(to)].empty()) return;
-    Cell cell;
-    cell.from = from;
-    cell.to = to;
-    cell.kid_from = plan_.kids_of[index(from)].back();
-    cell.kid_to = plan_.kids_of[index(to)].front();
-    const Corner a = corner(mesh_, front_[from].vertex), b = corner(mesh_, front_[to].vertex);
-    const Corner p = kid_corner(cell.kid_from), q = kid_corner(cell.kid_to);
-    if (cell.kid_from != cell.kid_to) {
-      cell.alive = convex(a, b, q, p);
-    } else if (!is_parent(cell.kid_to, to)) {
-      cell.middle = to;  // from -> to -> beyond, all joined by one kid
-      cell.to = front_[to].next;
-      const Corner c = corner(mesh_, front_[cell.to].vertex);
-      cell.alive = convex(a, b, c, q);
-    } else if (!is_parent(cell.kid_from, from)) {
-      return;  // the row end's second edge: its cell is made from the first
-    } else {
-      cell.alive = min_angle(a, b, q) > kLeastCellAngle;
-    }
-    plan_.cells.push_back(cell);
-  }
   bool is_parent(int kid, int node) const {
     const auto& parents = plan_.kids[index(kid)].parents;
     return std::find(parents.begin(), parents.end(), node) != parents.end();
+  }
+  void add_cell_on(int from, int to) {
+    if (plan_.kids_of[index(from)].empty() || plan_.kids_of[index(to)].empty()) return;
+    const int p = plan_.kids_of[index(from)].back(), q = plan_.kids_of[index(to)].front();
+    if (p != q) {
+      if (!is_tread(p) && !is_tread(q)) {
+        add_cell({{at_node(from), at_node(to), at_kid(q), at_kid(p)}, {{p, q}}});
+      } else {
+        add_cell({{at_node(from), at_node(to), at_kid(q), at_kid(p)}, {}});
+      }
+    } else if (!is_parent(p, to)) {  // a row end: from, its corner, and the node beyond
+      add_cell({{at_node(from), at_node(to), at_node(front_[to].next), at_kid(p)}, {}});
+    } else if (is_parent(p, from)) {
+      add_cell({{at_node(from), at_node(to), at_kid(p)}, {}});
+    }  // else the row end's second edge
+  }
+  bool is_tread(int kid) const {
+    return std::find(treads_.begin(), treads_.end(), kid) != treads_.end();
   }
 
   void add_fan_cells(int i) {
     const auto& kids = plan_.kids_of[index(i)];
     for (std::size_t k = 0; k + 2 < kids.size(); k += 2) {
-      Cell cell;
-      cell.from = cell.to = i;
-      cell.kid_from = kids[k];
-      cell.diagonal = kids[k + 1];
-      cell.kid_to = kids[k + 2];
-      plan_.cells.push_back(cell);
+      add_cell({{at_node(i), at_kid(kids[k + 2]), at_kid(kids[k + 1]), at_kid(kids[k])},
+                {{kids[k], kids[k + 1]}, {kids[k + 1], kids[k + 2]}}});
     }
+  }
+
+  //   k ---------------- m      Three short front edges become one, with quads alone: the inner two
+  //   | \              / |      kids stay low, and the outer two are joined over them. It costs no
+  //   |   x -------- y   |      triangle where two collapses cost two.
+  //   |   |          |   |
+  //   a - b -------- c - d
+  bool try_coarsen(int a) {
+    const int b = front_[a].next;
+    const int c = b < 0 ? -1 : front_[b].next;
+    const int d = c < 0 ? -1 : front_[c].next;
+    if (d < 0 || d == a || front_[d].next == a) return false;
+    const std::array<int, 4> nodes{a, b, c, d};
+    double height = 0.0;
+    for (const int i : nodes) {
+      if (!has_plain_kid(i)) return false;
+      height += 0.25 * heights_[index(i)];
+    }
+    if (std::abs(shape(b).turn()) > kCoarsenTurn || std::abs(shape(c).turn()) > kCoarsenTurn) {
+      return false;
+    }
+    double length = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double edge = kid_distance(plain_kid(nodes[index(k)]), plain_kid(nodes[index(k + 1)]));
+      if (edge > kCoarsenLongest * height) return false;
+      length += edge / 3.0;
+    }
+    if (length > kCoarsenLength * height) return false;
+    return lower_treads(a, b, c, d);
+  }
+  bool has_plain_kid(int i) const {
+    const auto& kids = plan_.kids_of[index(i)];
+    if (kids.size() != 1 || is_tread(kids[0])) return false;
+    const Kid& kid = plan_.kids[index(kids[0])];
+    return kid.parents.size() == 1 && kid.fan_age < 0;
+  }
+  int plain_kid(int i) const { return plan_.kids_of[index(i)][0]; }
+
+  bool lower_treads(int a, int b, int c, int d) {
+    const int k = plain_kid(a), x = plain_kid(b), y = plain_kid(c), m = plain_kid(d);
+    const SurfacePoint old_x = plan_.kids[index(x)].point, old_y = plan_.kids[index(y)].point;
+    const auto place = [&](int kid, int node) {
+      SurfacePoint to;
+      const double length = kTreadHeight * heights_[index(node)];
+      const SurfacePoint& from = mesh_.data(front_[node].vertex).point;
+      if (!state_.surface.step(from, shape(node).inward, length, to)) return false;
+      plan_.kids[index(kid)].point = to;
+      plan_.kids[index(kid)].normal = state_.surface.normal(to);
+      return true;
+    };
+    Cell top{{at_kid(x), at_kid(y), at_kid(m), at_kid(k)}, {{k, m}}, false};
+    if (!place(x, b) || !place(y, c) || !convex(top) ||
+        !convex({{at_node(a), at_node(b), at_kid(x), at_kid(k)}, {}}) ||
+        !convex({{at_node(c), at_node(d), at_kid(m), at_kid(y)}, {}})) {
+      plan_.kids[index(x)].point = old_x;
+      plan_.kids[index(y)].point = old_y;
+      return false;
+    }
+    treads_.push_back(x);
+    treads_.push_back(y);
+    tops_.push_back(std::move(top));
+    state_.note_stop(b, Stop::kMerged);
+    state_.note_stop(c, Stop::kMerged);
+    state_.count_event(Event::kCoarsen);
+    return true;
   }
 
   LayerState& state_;
@@ -360,6 +436,8 @@ class Planner {
   Front& front_;
   LayerPlan plan_;
   std::vector<double> heights_;  // of this extrusion, by node
+  std::vector<int> treads_;      // the low inner kids of coarsened edges
+  std::vector<Cell> tops_;       // the cells over them
 };
 
 }  // namespace

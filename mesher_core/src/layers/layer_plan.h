@@ -2,6 +2,7 @@
 // share one, and which cells they close (paper, II.C, II.F, II.G; corner classes as in paving).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "layers/layer_state.h"
@@ -22,12 +23,20 @@ struct Kid {
   bool alive = true;
 };
 
-//   kid_from --- kid_to        A cell lies left of the front edge from -> to. Both kids the same: a
-//      |            |          triangle. `middle` set: a row end, the quad from, middle, to, kid.
-//    from -------- to          from == to: the quad that a fan adds, about its diagonal kid.
+// A front vertex or a planned kid.
+struct CellCorner {
+  int node = -1, kid = -1;
+};
+inline CellCorner at_node(int i) { return {i, -1}; }
+inline CellCorner at_kid(int k) { return {-1, k}; }
+
+//   kid of a --- kid of b     An element of the layer, corners counter-clockwise, the first edge a
+//       |           |         front edge or (in a fan) a parent-kid edge. `fronts` are the edges
+//       that a --------- b         become front with it, each from kid to kid along the new front.
 struct Cell {
-  int from = -1, to = -1, middle = -1;
-  int kid_from = -1, kid_to = -1, diagonal = -1;
+  std::vector<CellCorner> corners;
+  std::vector<std::array<int, 2>> fronts;
+  bool layered = true;  // false: an element between layers, without a parent-kid edge
   bool alive = true;
 };
 

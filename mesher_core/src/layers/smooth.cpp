@@ -25,9 +25,11 @@ struct Spring {
 std::vector<Spring> springs(const LayerState& state, const LayerPlan& plan) {
   std::vector<int> left(plan.kids.size(), -1), right(plan.kids.size(), -1);
   for (const Cell& cell : plan.cells) {
-    if (!cell.alive || cell.kid_from == cell.kid_to || cell.diagonal >= 0) continue;
-    right[index(cell.kid_from)] = cell.kid_to;
-    left[index(cell.kid_to)] = cell.kid_from;
+    if (!cell.alive) continue;
+    for (const auto& [p, q] : cell.fronts) {
+      right[index(p)] = q;
+      left[index(q)] = p;
+    }
   }
   std::vector<Spring> result;
   for (std::size_t k = 0; k < plan.kids.size(); ++k) {
