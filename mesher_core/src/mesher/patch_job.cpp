@@ -5,6 +5,7 @@
 
 #include "mesher/wall_report.h"
 #include "quality/core_improvement.h"
+#include "quality/core_region.h"
 #include "quality/recombine.h"
 #include "triangulate/triangulate.h"
 
@@ -141,8 +142,10 @@ void PatchJob::finish(const CancelFlag& cancel) {
   end_layers();
   if (!meshed_) return;
   guard("core-not-improved", [&] {
+    return_to_core(mesh_);
     improve_core(mesh_, surface_, cancel);
     if (settings_->core == CoreElements::kQuads) recombine(mesh_, surface_, cancel);
+    return_to_core(mesh_);
   });
 }
 

@@ -37,18 +37,19 @@ bool is_straight(const SurfaceMesh& mesh, HalfedgeH border) {
   return in.dot(out) > kRegularTurnCosine * in.norm() * out.norm();
 }
 
-bool is_regular(const SurfaceMesh& mesh, const Columns& columns, HalfedgeH border) {
+int regularity(const SurfaceMesh& mesh, const Columns& columns, HalfedgeH border) {
+  if (!is_straight(mesh, border)) return 0;
   HalfedgeH h = mesh.prev(mesh.prev(border));
   for (int k = 0; k < 5; ++k, h = mesh.next(h)) {
-    if (!is_straight(mesh, h) || !columns.only_kid(mesh.from(h)).valid()) return false;
+    if (!is_straight(mesh, h) || !columns.only_kid(mesh.from(h)).valid()) return 1;
   }
-  return true;
+  return 2;
 }
 
 struct Sample {
   double first = 0.0;   // [mm]
   double second = 0.0;  // [mm]; 0: the column has one layer
-  bool regular = false;
+  int regularity = 0;   // 0: a corner; 1: the wall is straight here; 2: and two edges around
 };
 
 Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Columns& columns,
@@ -58,7 +59,7 @@ Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Colu
   const VertexH kid = columns.only_kid(foot);
   if (!kid.valid()) return sample;
   sample.first = arc_length(surface, mesh.data(foot).point, mesh.data(kid).point);
-  sample.regular = is_regular(mesh, columns, border);
+  sample.regularity = regularity(mesh, columns, border);
   const VertexH grandkid = columns.only_kid(kid);
   if (grandkid.valid()) {
     sample.second = arc_length(surface, mesh.data(kid).point, mesh.data(grandkid).point);
@@ -67,12 +68,14 @@ Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Colu
 }
 
 void summarize(const std::vector<Sample>& samples, WallReport& report) {
-  const bool any_regular =
-      std::any_of(samples.begin(), samples.end(), [](const Sample& s) { return s.regular; });
+  int best = 0;
+  for (const Sample& s : samples) {
+    if (s.first > 0.0) best = std::max(best, s.regularity);
+  }
   int heights = 0, ratios = 0;
   double sum = 0.0, ratio_sum = 0.0;
   for (const Sample& s : samples) {
-    if (s.first <= 0.0 || (any_regular && !s.regular)) continue;
+    if (s.first <= 0.0 || s.regularity < best) continue;
     report.achieved_min = heights > 0 ? std::min(report.achieved_min, s.first) : s.first;
     report.achieved_max = std::max(report.achieved_max, s.first);
     sum += s.first;
@@ -149,14 +152,17 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
   const Columns columns(mesh);
   const Stops stops_by_root(stops);
   std::map<EdgeId, Wall> walls;
+  const auto is_wall = [&](HalfedgeH h) {
+    const auto planned = plan.edges.find(mesh.curve(h));
+    return planned != plan.edges.end() && planned->second.condition == EdgeCondition::kWall;
+  };
   for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
     const HalfedgeH h(i);
-    if (!mesh.alive(h) || !mesh.is_border(h) || !mesh.curve(h).valid()) continue;
-    const auto planned = plan.edges.find(mesh.curve(h));
-    if (planned == plan.edges.end() || planned->second.condition != EdgeCondition::kWall) continue;
+    if (!mesh.alive(h) || !mesh.is_border(h) || !is_wall(h)) continue;
     Wall& wall = walls[mesh.curve(h)];
     wall.samples.push_back(measure_column(mesh, surface, columns, h));
-    wall.roots.push_back(mesh.from(h));
+    // Where walls end beside another condition, that one decides about the column.
+    if (is_wall(mesh.prev(h))) wall.roots.push_back(mesh.from(h));
   }
   std::vector<WallReport> reports;
   for (const auto& [edge, wall] : walls) {

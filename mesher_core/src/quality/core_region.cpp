@@ -29,4 +29,20 @@ bool is_core_edge(const SurfaceMesh& mesh, HalfedgeH h) {
          is_core(mesh, mesh.face(h)) && is_core(mesh, mesh.face(t));
 }
 
+bool is_extrusion(const SurfaceMesh& mesh, HalfedgeH h) {
+  return mesh.data(mesh.to(h)).parent == mesh.from(h) ||
+         mesh.data(mesh.from(h)).parent == mesh.to(h);
+}
+
+void return_to_core(SurfaceMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    const FaceH f(i);
+    if (!mesh.alive(f) || is_core(mesh, f) || is_triangle(mesh, mesh.halfedge(f))) continue;
+    bool extruded = false;
+    HalfedgeH h = mesh.halfedge(f);
+    for (int k = 0; k < 4; ++k, h = mesh.next(h)) extruded = extruded || is_extrusion(mesh, h);
+    if (!extruded) mesh.data(f).layer = 0;
+  }
+}
+
 }  // namespace advlayers

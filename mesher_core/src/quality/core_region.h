@@ -22,4 +22,11 @@ inline bool is_core(const SurfaceMesh& mesh, FaceH f) { return mesh.data(f).laye
 // Both faces beside the edge belong to the core, and the edge may be changed.
 bool is_core_edge(const SurfaceMesh& mesh, HalfedgeH h);
 
+// True where one end of the mesh edge was extruded from the other.
+bool is_extrusion(const SurfaceMesh& mesh, HalfedgeH h);
+
+// A quad counts as one of a layer only where a parent-kid edge bounds it: the others, which closing
+// fronts left, are given to the core.
+void return_to_core(SurfaceMesh& mesh);
+
 }  // namespace advlayers

@@ -58,20 +58,10 @@ Candidates find_candidates(const SurfaceMesh& mesh) {
   return found;
 }
 
-bool is_extrusion(const SurfaceMesh& mesh, HalfedgeH h) {
-  return mesh.data(mesh.to(h)).parent == mesh.from(h) ||
-         mesh.data(mesh.from(h)).parent == mesh.to(h);
-}
-
-// A quad counts as one of a layer only where a parent-kid edge bounds it.
 void combine_pair(SurfaceMesh& mesh, HalfedgeH diagonal) {
   const int layer = std::max(mesh.data(mesh.face(diagonal)).layer,
                              mesh.data(mesh.face(SurfaceMesh::twin(diagonal))).layer);
-  const FaceH quad = mesh.combine(diagonal);
-  bool extruded = false;
-  HalfedgeH h = mesh.halfedge(quad);
-  for (int k = 0; k < 4; ++k, h = mesh.next(h)) extruded = extruded || is_extrusion(mesh, h);
-  mesh.data(quad).layer = extruded ? layer : 0;
+  mesh.data(mesh.combine(diagonal)).layer = layer;
 }
 
 void pair_triangles(SurfaceMesh& mesh) {

@@ -1,0 +1,221 @@
+"""The mesher's loop as Python drives it: reports, threads, stopping, errors."""
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import advlayers_core as core
+import numpy as np
+import pytest
+from core_meshes import DATA, mesh, mesher, model
+
+FINE = {"size": 0.1, "first_height": 0.01}
+
+
+def test_reports_name_patch_and_layer():
+    run = mesher("box", layers=3)
+    reports = list(run)
+    result = run.result()
+    assert {report.patch for report in reports} == set(range(6))
+    assert max(report.layer for report in reports) in (3, 4)
+    assert all(set(vars_of) <= {"collapse", "row-end", "close-triangle", "zip", "rung", "fan"}
+               for vars_of in (report.events for report in reports))
+    assert [patch["faces"] for patch in result.patches] == [[f"Face{k}"] for k in range(1, 7)]
+
+
+@pytest.mark.parametrize("name", ["box", "cylinder", "drilled_plate"])
+def test_threads_do_not_show_in_the_mesh(name):
+    one, two, four = (mesh(name, threads=count) for count in (1, 2, 4))
+    for other in (two, four):
+        assert one.nodes.tobytes() == other.nodes.tobytes()
+        assert one.quads.tobytes() == other.quads.tobytes()
+        assert one.triangles.tobytes() == other.triangles.tobytes()
+        assert one.walls == other.walls and one.diagnostics == other.diagnostics
+
+
+def test_a_snapshot_is_a_mesh_at_every_layer():
+    run = mesher("bracket")
+    run.snapshot()
+    elements = []
+    for _ in run:
+        shot = run.snapshot()
+        elements.append(len(shot.quads) + len(shot.triangles))
+        assert np.array_equal(np.union1d(shot.quads, shot.triangles), np.arange(len(shot.nodes)))
+    assert max(elements) > elements[0]
+    run.result()
+    with pytest.raises(core.InvalidInput, match="snapshot"):
+        run.snapshot()
+
+
+def test_stopping_early_keeps_the_layers_so_far():
+    run = mesher("square", size=0.5)
+    for report in run:
+        if report.layer == 4:
+            break
+    result = run.result()
+    assert result.layer_of_quad.max() == 4
+    assert (result.layer_of_quad == 0).any()
+    assert list(run) == []
+
+
+def test_result_is_the_same_object_every_time():
+    run = mesher("square")
+    assert run.result() is run.result()
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.05, 0.3])
+def test_cancel_from_another_thread_takes_effect_at_once(delay):
+    run = mesher("bracket", **FINE)
+    failure = []
+
+    def work():
+        try:
+            for _ in run:
+                pass
+            run.result()
+        except core.Cancelled as error:
+            failure.append((error, time.monotonic()))
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    time.sleep(delay)
+    asked = time.monotonic()
+    run.cancel()
+    thread.join()
+    assert failure, "the mesh was finished before it could be cancelled"
+    assert failure[0][1] - asked < 0.1
+    with pytest.raises(core.Cancelled):
+        run.result()
+
+
+def test_other_threads_run_while_it_meshes():
+    run = mesher("bracket", size=0.2, first_height=0.02)
+    ticks = []
+    stop = threading.Event()
+
+    def tick():
+        while not stop.wait(0.005):
+            ticks.append(time.monotonic())
+
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    start = time.monotonic()
+    for _ in run:
+        pass
+    run.result()
+    spent = time.monotonic() - start
+    stop.set()
+    ticker.join()
+    assert len(ticks) > 0.2 * spent / 0.005
+
+
+def test_ctrl_c_interrupts():
+    program = (
+        "import sys, advlayers_core as core\n"
+        "run = core.Mesher(core.read_file(sys.argv[1]),"
+        " core.Settings(size=0.03, first_height=0.003))\n"
+        "print('ready', flush=True)\n"
+        "for report in run: pass\n"
+        "run.result()\n")
+    child = subprocess.Popen([sys.executable, "-c", program, os.path.join(DATA, "bracket.brep")],
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                             env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    child.stdout.readline()
+    time.sleep(0.3)
+    child.send_signal(signal.SIGINT)
+    _, errors = child.communicate(timeout=10)
+    assert b"KeyboardInterrupt" in errors
+
+
+def test_walls_may_be_chosen():
+    result = mesh("box", walls=[{"edges": ["Edge1"], "faces": ["Face1"], "layers": 2,
+                                 "first_height": 0.2, "growth": 1.5}])
+    assert {(wall["edge"], wall["face"]) for wall in result.walls} == {("Edge1", "Face1")}
+    wall = result.walls[0]
+    assert (wall["first_height"], wall["growth"], wall["layers"]) == (0.2, 1.5, 2)
+    assert wall["achieved_first_height"]["mean"] == pytest.approx(0.2, rel=0.02)
+    layered = result.face_of_quad[result.layer_of_quad > 0]
+    assert set(layered) == {1}
+
+
+def test_no_walls_make_an_isotropic_mesh():
+    result = mesh("box", walls=[])
+    assert result.layer_of_quad.max() == 0
+    assert result.figures["quad_percent"] > 95
+
+
+def test_core_of_triangles_stays_triangles():
+    result = mesh("square", core="triangles", walls=[])
+    assert len(result.quads) == 0 and len(result.triangles) > 100
+
+
+def test_faces_may_be_chosen():
+    result = mesh("box", faces=["Face2", "Face5"])
+    assert set(result.face_of_quad) == {2, 5}
+    assert [patch["faces"] for patch in result.patches] == [["Face2"], ["Face5"]]
+
+
+@pytest.mark.parametrize("settings, word", [
+    ({"size": 0}, "size"),
+    ({"size": -1}, "size"),
+    ({"size": float("nan")}, "size"),
+    ({"size": float("inf")}, "size"),
+    ({"size": "1"}, "size"),
+    ({"size": True}, "size"),
+    ({"first_height": 0}, "first_height"),
+    ({"growth": 0.5}, "growth"),
+    ({"layers": -1}, "layers"),
+    ({"layers": 2.5}, "layers"),
+    ({"layers": "many"}, "layers"),
+    ({"layers": 10 ** 12}, "layers"),
+    ({"feature_angle": 180}, "feature_angle"),
+    ({"core": "hexes"}, "core"),
+    ({"walls": "none"}, "walls"),
+    ({"walls": [{"edges": ["Edge99"]}]}, "Edge99"),
+    ({"walls": [{"edges": ["Edge0"]}]}, "Edge0"),
+    ({"walls": [{"edges": ["Face1"]}]}, "Face1"),
+    ({"walls": [{"edges": []}]}, "edges"),
+    ({"walls": [{"edges": ["Edge1"], "height": 1}]}, "height"),
+    ({"walls": [{"edges": ["Edge1"], "first_height": 0}]}, "first_height"),
+    ({"match": ["Edge13"]}, "Edge13"),
+    ({"off": "Edge1"}, "off"),
+    ({"faces": ["Face7"]}, "Face7"),
+    ({"faces": []}, "faces"),
+    ({"threads": -1}, "threads"),
+    ({"colour": "blue"}, "colour"),
+])
+def test_a_wrong_setting_is_named(settings, word):
+    with pytest.raises(core.InvalidInput, match=word) as caught:
+        mesher("box", **settings)
+    assert isinstance(caught.value, ValueError)
+
+
+def test_size_and_first_height_must_be_given():
+    with pytest.raises(core.InvalidInput, match="first_height"):
+        core.Settings(size=1.0)
+
+
+def test_bad_text_and_files_are_refused(tmp_path):
+    with pytest.raises(core.InvalidInput):
+        core.read_brep("no BREP")
+    with pytest.raises(core.InvalidInput, match="missing.step"):
+        core.read_file(tmp_path / "missing.step")
+    with pytest.raises(core.InvalidInput):
+        core.read_file(tmp_path)
+
+
+def test_a_model_is_kept_alive_by_its_mesher():
+    run = core.Mesher(model("box"), core.Settings(size=1.0, first_height=0.1))
+    assert sum(1 for _ in run) > 0
+
+
+def test_a_missing_extension_says_what_to_do(tmp_path):
+    package = tmp_path / "advlayers_core"
+    package.mkdir()
+    source = os.path.join(os.path.dirname(core.__file__), "__init__.py")
+    (package / "__init__.py").write_text(open(source, encoding="utf-8").read(), encoding="utf-8")
+    child = subprocess.run([sys.executable, "-c", "import advlayers_core"], capture_output=True,
+                           env={**os.environ, "PYTHONPATH": str(tmp_path)}, text=True, check=False)
+    assert "ImportError" in child.stderr and "./dev install" in child.stderr
