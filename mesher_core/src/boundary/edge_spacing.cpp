@@ -15,6 +15,9 @@ const double kSlope = std::log(1.4);
 // A sampled cell turns at most this part of what a segment may.
 constexpr double kCellPart = 0.25;
 constexpr int kMinDepth = 2, kMaxDepth = 12;
+// Normals ask for no finer cut than this part of the size or the stretch: where a crease of the
+// surface crosses the edge, no cut is fine enough.
+constexpr double kNormalFloor = 0.05;
 constexpr double kUniform = 1e-9;  // relative spread of an even spacing
 constexpr double kMaxSegments = 5e6;
 
@@ -32,22 +35,23 @@ EdgeSpacing::EdgeSpacing(Evaluator& evaluator, EdgeId edge, double t_begin, doub
     if (t > pieces.back() && t < t_end) pieces.push_back(t);
   }
   pieces.push_back(t_end);
-  Station a = station(t_begin);
+  least_by_normals_ =
+      kNormalFloor * std::min(limits.size, evaluator.edge_length(edge, t_begin, t_end));
   samples_.push_back({0.0, limits.size});
   for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const Station b = station(pieces[i]);
-    refine(a, b, 0);
-    a = b;
+    // Derivatives from inside the piece: a slight kink between two is no curvature.
+    const double inward = 1e-7 * (pieces[i] - pieces[i - 1]);
+    refine(station(pieces[i - 1], inward), station(pieces[i], -inward), 0);
   }
   sides_ = nullptr;
 }
 
-EdgeSpacing::Station EdgeSpacing::station(double t) const {
+EdgeSpacing::Station EdgeSpacing::station(double t, double inward) const {
   Station st;
   st.t = t;
   st.s = evaluator_->edge_length(edge_, t_begin_, t);
   st.xyz = evaluator_->edge_point(edge_, t);
-  st.tangent = evaluator_->edge_tangent(edge_, t);
+  st.tangent = evaluator_->edge_tangent(edge_, t + inward);
   for (const Side& side : *sides_) {
     if (evaluator_->model().face(side.face).kind == SurfaceKind::kPlane) continue;
     const Vec2 uv = evaluator_->edge_uv(side.face, side.coedge, t);
@@ -72,13 +76,15 @@ double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
   for (std::size_t i = 0; i < a.normals.size(); ++i) {
     if (a.normals[i].isZero() || b.normals[i].isZero()) continue;
     const double normal_turn = angle_between(a.normals[i], b.normals[i]);
-    if (normal_turn > 0.0) spacing = std::min(spacing, ds * limits_.normal_angle / normal_turn);
+    if (!(normal_turn > 0.0)) continue;
+    const double by_normals = ds * limits_.normal_angle / normal_turn;
+    spacing = std::min(spacing, std::max(by_normals, least_by_normals_));
   }
   return spacing;
 }
 
 void EdgeSpacing::refine(const Station& a, const Station& b, int depth) {
-  const Station mid = station(0.5 * (a.t + b.t));
+  const Station mid = station(0.5 * (a.t + b.t), 0.0);
   const double left = turn_spacing(a, mid), right = turn_spacing(mid, b);
   const double ds = std::max(mid.s - a.s, b.s - mid.s);
   const bool coarse = ds > kCellPart * std::min({left, right});

@@ -49,7 +49,8 @@ class EdgeSpacing {
     Vec3 xyz, tangent;
     std::vector<Vec3> normals;
   };
-  Station station(double t) const;
+  // Derivatives are taken `inward` of t.
+  Station station(double t, double inward) const;
   void refine(const Station& a, const Station& b, int depth);
   double turn_spacing(const Station& a, const Station& b) const;
   std::vector<double> graded() const;
@@ -59,6 +60,7 @@ class EdgeSpacing {
   double t_begin_;
   const std::vector<Side>* sides_;  // while sampling only
   SpacingLimits limits_;
+  double least_by_normals_ = 0.0;  // [mm]
   std::vector<Sample> samples_;
   int required_ = 1;
   double end_limit_[2] = {std::numeric_limits<double>::infinity(),

@@ -1,9 +1,7 @@
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
@@ -131,10 +129,33 @@ Face build_face(const Model::Shape& shape, FaceId id, const std::vector<Edge>& e
   return face;
 }
 
-double box_diagonal(const TopoDS_Shape& root) {
-  Bnd_Box box;
-  BRepBndLib::AddOptimal(root, box, Standard_False, Standard_False);
-  return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+// From points on the edges and on curved faces: BRepBndLib takes the poles of B-splines for the
+// shape, or, when asked to be exact, as long as reading the file.
+double box_diagonal(Evaluator& evaluator) {
+  const Model& model = evaluator.model();
+  Eigen::AlignedBox3d box;
+  for (const Vertex& vertex : model.vertices()) box.extend(vertex.xyz);
+  constexpr int kOnEdge = 32, kOnFace = 12;
+  for (std::size_t e = 0; e < model.edges().size(); ++e) {
+    const Edge& edge = model.edges()[e];
+    if (edge.degenerate || !(edge.last > edge.first)) continue;
+    for (int k = 0; k <= kOnEdge; ++k) {
+      const double t = edge.first + (edge.last - edge.first) * k / kOnEdge;
+      box.extend(evaluator.edge_point(EdgeId(e), t));
+    }
+  }
+  for (std::size_t f = 0; f < model.faces().size(); ++f) {
+    const Face& face = model.faces()[f];
+    if (face.kind == SurfaceKind::kPlane || !face.defect.empty()) continue;
+    for (int i = 0; i <= kOnFace; ++i) {
+      for (int j = 0; j <= kOnFace; ++j) {
+        const double u = face.u_min + (face.u_max - face.u_min) * i / kOnFace;
+        const double v = face.v_min + (face.v_max - face.v_min) * j / kOnFace;
+        if (evaluator.inside(FaceId(f), u, v)) box.extend(evaluator.frame(FaceId(f), u, v).xyz);
+      }
+    }
+  }
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
 struct EdgeUse {
@@ -158,7 +179,8 @@ double largest_turn(Evaluator& evaluator, EdgeId id, const EdgeUse& a, const Edg
   return worst;
 }
 
-std::vector<double> measure_dihedrals(const Model& model) {
+std::vector<double> measure_dihedrals(Evaluator& evaluator) {
+  const Model& model = evaluator.model();
   std::vector<std::vector<EdgeUse>> uses(model.edges().size());
   for (std::size_t f = 0; f < model.faces().size(); ++f) {
     for (const auto& loop : model.faces()[f].loops) {
@@ -166,7 +188,6 @@ std::vector<double> measure_dihedrals(const Model& model) {
     }
   }
   std::vector<double> angles(model.edges().size(), M_PI);
-  Evaluator evaluator(model);
   for (std::size_t e = 0; e < uses.size(); ++e) {
     if (model.edges()[e].degenerate) {
       angles[e] = 0.0;  // a pole parts nothing
@@ -203,9 +224,10 @@ Model build_model(std::unique_ptr<Model::Shape> shape) {
         }
       }
     }
-    model.diagonal_ = box_diagonal(shape->root);
     model.shape_ = std::move(shape);
-    model.shape_->dihedral = measure_dihedrals(model);
+    Evaluator evaluator(model);
+    model.diagonal_ = box_diagonal(evaluator);
+    model.shape_->dihedral = measure_dihedrals(evaluator);
     return model;
   });
 }

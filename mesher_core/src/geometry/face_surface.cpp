@@ -46,10 +46,12 @@ FaceSurface::FaceSurface(const TopoDS_Face& shape, const Face& face)
     inverse_ = location_.Inverted();
     scale_ = std::abs(location_.ScaleFactor());
   }
-  u_lo_ = surface_.FirstUParameter();
-  u_hi_ = surface_.LastUParameter();
-  v_lo_ = surface_.FirstVParameter();
-  v_hi_ = surface_.LastVParameter();
+  // Some trimming curves leave a B-spline's knots a little: the face goes on there, extrapolated.
+  const bool u_closed = face.u_period > 0.0, v_closed = face.v_period > 0.0;
+  u_lo_ = u_closed ? surface_.FirstUParameter() : std::min(surface_.FirstUParameter(), face.u_min);
+  u_hi_ = u_closed ? surface_.LastUParameter() : std::max(surface_.LastUParameter(), face.u_max);
+  v_lo_ = v_closed ? surface_.FirstVParameter() : std::min(surface_.FirstVParameter(), face.v_min);
+  v_hi_ = v_closed ? surface_.LastVParameter() : std::max(surface_.LastVParameter(), face.v_max);
   const double u_span = face.u_max - face.u_min, v_span = face.v_max - face.v_min;
   for (const double a : {0.1, 0.5, 0.9}) {
     for (const double b : {0.1, 0.5, 0.9}) {

@@ -58,7 +58,7 @@ class FaceSurface {
   bool located_ = false;
   GeomAdaptor_Surface surface_;           // after the location, which its making sets
   double scale_ = 1.0;                    // of the location
-  double u_lo_, u_hi_, v_lo_, v_hi_;      // natural bounds
+  double u_lo_, u_hi_, v_lo_, v_hi_;      // where the surface exists
   double speed_u_ = 0.0, speed_v_ = 0.0;  // typical |Su|, |Sv| over the face
   double size_ = 0.0;                     // of the face, about [mm]
 };
