@@ -19,17 +19,52 @@ constexpr double kRadiusLimit = 1.3;
 // No point nearer to another than this share of the size wanted there.
 constexpr double kClosest = 0.65;
 constexpr double kClosestToBorder = 0.4;
+constexpr double kBorderShare = 0.6;  // of the border edge's length, squared
 // An edge whose length at the mean of its ends' metrics and at its middle's differ by this share is
 // too long for either to be trusted.
 constexpr double kMetricMismatch = 0.35;
 constexpr double kLongestTurn = 70 * kDegree;  // of the normal along an edge, before all else
 // Aimed at here; the bound after improvement in space is 30 degrees.
 constexpr double kDeviation = 25 * kDegree;
+// Shorter edges, as a share of the local size, are left to what follows.
+constexpr double kShortestWide = 0.5;
 constexpr double kSmallestSplit = 0.05;  // share of the local size that refinement stops at
+// Distance of an edge's middle from an apex, as a share of half the edge.
+constexpr double kApexShare = 0.3;
+// Share of a triangle's longest edge.
+constexpr double kLongEnough = 0.8;
+// Height over a boundary edge, as a share of the edge.
+constexpr double kHugging = 0.15;
+constexpr int kMostDivisions = 8;  // per triangle, on average
 constexpr int kWalkLimit = 200;
 
 double local_size(const LiftedTriangulation& sheet, Side s) {
   return (sheet.vertex(sheet.mesh().from(s)).size + sheet.vertex(sheet.mesh().to(s)).size) / 2;
+}
+
+// Whether the middle of s lies so near to an apex that no good triangle comes of it, or so near to
+// a boundary edge that the chord's sagitta would decide on the normal of the triangle between them.
+bool middle_crowds(const LiftedTriangulation& sheet, Side s) {
+  const PlanarTriangulation& mesh = sheet.mesh();
+  const int a = mesh.from(s), b = mesh.to(s);
+  const Vec2 p = (mesh.point(a) + mesh.point(b)) / 2;
+  const Metric metric = (sheet.vertex(a).metric + sheet.vertex(b).metric) * 0.5;
+  const double half2 = metric.squared(mesh.point(b) - p);
+  for (const Side half : {s, mesh.opposite(s)}) {
+    if (half.t < 0) continue;
+    if (metric.squared(mesh.point(mesh.apex(half)) - p) < kApexShare * kApexShare * half2) return true;
+    for (int i = 0; i < 3; ++i) {
+      const Side side{half.t, i};
+      if (mesh.segment(side) < 0) continue;
+      const Metric& m = sheet.vertex(mesh.from(side)).metric;
+      const Vec2 d = mesh.point(mesh.to(side)) - mesh.point(mesh.from(side));
+      const Vec2 w = p - mesh.point(mesh.from(side));
+      const double area = d.x() * w.y() - d.y() * w.x();
+      const double length2 = m.squared(d);
+      if (area * area * m.determinant() < kHugging * kHugging * length2 * length2) return true;
+    }
+  }
+  return false;
 }
 
 // --- edges too long to be measured ---
@@ -41,7 +76,7 @@ bool spans_too_much(LiftedTriangulation& sheet, Side s) {
   const LiftedVertex middle = sheet.evaluate((pa + pb) / 2);
   const double by_ends = std::sqrt(sheet.squared_length(a, b));
   const double by_middle = std::sqrt(middle.metric.squared(pb - pa));
-  if (std::max(by_ends, by_middle) < kSmallestSplit * local_size(sheet, s)) return false;
+  if (std::max(by_ends, by_middle) < kShortestWide * local_size(sheet, s)) return false;
   const double turn = std::min(
       {va.normal.dot(vb.normal), va.normal.dot(middle.normal), vb.normal.dot(middle.normal)});
   if (turn < std::cos(kLongestTurn)) return true;
@@ -60,7 +95,9 @@ void split_wide_edges(LiftedTriangulation& sheet, const CancelFlag& cancel) {
     pending.pop_back();
     for (int i = 0; i < 3; ++i) {
       const Side s{t, i};
-      if (sheet.mesh().segment(s) >= 0 || !spans_too_much(sheet, s)) continue;
+      if (sheet.mesh().segment(s) >= 0 || !spans_too_much(sheet, s) || middle_crowds(sheet, s)) {
+        continue;
+      }
       const Vec2 middle =
           (sheet.mesh().point(sheet.mesh().from(s)) + sheet.mesh().point(sheet.mesh().to(s))) / 2;
       if (sheet.insert_on(s, middle) < 0) continue;
@@ -235,7 +272,9 @@ class FrontalInsertion {
       const double length2 = candidate.metric.squared(d);
       const double cross = d.x() * w.y() - d.y() * w.x();
       const double height2 = cross * cross * candidate.metric.determinant() / length2;
-      if (height2 < kClosestToBorder * kClosestToBorder * size * size) return true;
+      if (height2 < kClosestToBorder * kClosestToBorder * std::max(size * size, kBorderShare * length2)) {
+        return true;
+      }
     }
     return false;
   }
@@ -279,17 +318,23 @@ double worst_deviation_cosine(LiftedTriangulation& sheet, int t) {
   return std::min(worst, cross.dot(sheet.evaluate(center).normal) / area);
 }
 
-// The free edge along which the normal turns most, if it is long enough to be divided.
+// The free edge along which the normal turns most, of those that are long enough to matter: a short side
+// of a thin triangle is not what tilts it.
 Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
+  std::array<double, 3> length2{};
+  for (int i = 0; i < 3; ++i) {
+    length2[i] = sheet.squared_length(sheet.mesh().from({t, i}), sheet.mesh().to({t, i}));
+  }
+  const double longest2 = *std::max_element(length2.begin(), length2.end());
   Side best;
   double best_turn = std::cos(5 * kDegree);
   for (int i = 0; i < 3; ++i) {
     const Side s{t, i};
-    if (sheet.mesh().segment(s) >= 0) continue;
-    const int a = sheet.mesh().from(s), b = sheet.mesh().to(s);
+    if (sheet.mesh().segment(s) >= 0 || length2[i] < kLongEnough * kLongEnough * longest2) continue;
     const double limit = 2 * kSmallestSplit * local_size(sheet, s);
-    const double turn = sheet.vertex(a).normal.dot(sheet.vertex(b).normal);
-    if (turn >= best_turn || sheet.squared_length(a, b) < limit * limit) continue;
+    const double turn = sheet.vertex(sheet.mesh().from(s)).normal.dot(
+        sheet.vertex(sheet.mesh().to(s)).normal);
+    if (turn >= best_turn || length2[i] < limit * limit) continue;
     best_turn = turn;
     best = s;
   }
@@ -299,13 +344,14 @@ Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
 void refine_deviating(LiftedTriangulation& sheet, const CancelFlag& cancel) {
   std::vector<int> pending;
   for (int t = 0; t < sheet.mesh().triangle_count(); ++t) pending.push_back(t);
-  while (!pending.empty()) {
+  const int limit = sheet.mesh().point_count() + kMostDivisions * sheet.mesh().triangle_count();
+  while (!pending.empty() && sheet.mesh().point_count() < limit) {
     cancel.check();
     const int t = pending.back();
     pending.pop_back();
     if (worst_deviation_cosine(sheet, t) > std::cos(kDeviation)) continue;
     const Side s = edge_to_divide(sheet, t);
-    if (s.t < 0) continue;
+    if (s.t < 0 || middle_crowds(sheet, s)) continue;
     const Vec2 middle =
         (sheet.mesh().point(sheet.mesh().from(s)) + sheet.mesh().point(sheet.mesh().to(s))) / 2;
     if (sheet.insert_on(s, middle) < 0) continue;
