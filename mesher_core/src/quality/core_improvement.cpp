@@ -16,7 +16,7 @@ void improve_core(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& ca
   const std::vector<VertexH> free = free_vertices(mesh);
   for (int round = 0; round < kRounds; ++round) {
     flip_core(mesh, cancel);
-    smooth_stars(mesh, surface, free, kSweepsPerRound, cancel);
+    smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweepsPerRound, cancel);
   }
 }
 

@@ -1,6 +1,12 @@
 #include "quality/core_region.h"
 
 namespace advlayers {
+namespace {
+
+// The first layers are what the user asked for; where their vertices are regular they stay.
+constexpr int kKeptLayers = 5;
+
+}  // namespace
 
 bool is_free(const SurfaceMesh& mesh, VertexH v) {
   const VertexData& data = mesh.data(v);
@@ -21,6 +27,34 @@ std::vector<VertexH> free_vertices(const SurfaceMesh& mesh) {
     if (is_free(mesh, VertexH(i))) free.emplace_back(i);
   }
   return free;
+}
+
+std::vector<VertexH> seam_vertices(const SurfaceMesh& mesh) {
+  std::vector<char> in_seam(mesh.vertex_capacity(), 0);
+  std::vector<VertexH> corners;
+  for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    const FaceH f(i);
+    if (!mesh.alive(f) || !is_core(mesh, f)) continue;
+    corners.clear();
+    bool any_free = false;
+    const HalfedgeH first = mesh.halfedge(f);
+    HalfedgeH h = first;
+    do {
+      corners.push_back(mesh.to(h));
+      any_free = any_free || is_free(mesh, mesh.to(h));
+      h = mesh.next(h);
+    } while (h != first);
+    if (any_free) continue;
+    for (const VertexH v : corners) {
+      const VertexData& data = mesh.data(v);
+      if (data.support == Support::kPatch && data.layer > kKeptLayers) in_seam[v.index()] = 1;
+    }
+  }
+  std::vector<VertexH> seam;
+  for (std::size_t i = 0; i < in_seam.size(); ++i) {
+    if (in_seam[i]) seam.emplace_back(i);
+  }
+  return seam;
 }
 
 bool is_core_edge(const SurfaceMesh& mesh, HalfedgeH h) {

@@ -14,6 +14,10 @@ bool is_free(const SurfaceMesh& mesh, VertexH v);
 // The core's free vertices in the order of their handles.
 std::vector<VertexH> free_vertices(const SurfaceMesh& mesh);
 
+// Front vertices where fronts have met: beside a core face without a free vertex, and above the
+// layers whose heights are to stay as extruded. In the order of their handles.
+std::vector<VertexH> seam_vertices(const SurfaceMesh& mesh);
+
 inline bool is_triangle(const SurfaceMesh& mesh, HalfedgeH h) {
   return mesh.next(mesh.next(mesh.next(h))) == h;
 }

@@ -13,8 +13,9 @@ namespace advlayers {
 namespace {
 
 // A pair is refused where a corner is below 30 or above 150 degrees (paper, II.H).
-constexpr double kLeastQuality = 0.1339745962;  // 1 - cos 30
+constexpr double kLeastQuality = 0.03;  // 1 - cos 30
 
+constexpr int kSeamSweeps = 10;
 constexpr int kSweeps = 5;
 constexpr int kRounds = 4;
 
@@ -83,8 +84,9 @@ void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cance
   for (int round = 0; round < kRounds; ++round) {
     const int joined = join_triangles(mesh, cancel);
     if (round > 0 && joined == 0) break;
-    smooth_stars(mesh, surface, free, kSweeps, cancel);
+    smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweeps, cancel);
   }
+  smooth_stars(mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps, cancel);
 }
 
 }  // namespace advlayers

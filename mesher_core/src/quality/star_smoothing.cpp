@@ -18,6 +18,7 @@ constexpr std::size_t kCancelStride = 256;
 // plane that touches the surface there. A triangle has no d.
 struct Sector {
   Vec2 b, c, d;
+  double weight_b = 1.0, weight_d = 1.0;  // of the sides along b and d
   bool quad = false;
 };
 
@@ -37,7 +38,16 @@ void choose_axes(const Vec3& normal, Star& star) {
   star.y_axis = normal.cross(star.x_axis);
 }
 
-bool gather(const SurfaceMesh& mesh, VertexH v, Star& star) {
+// Weights under which a rectangle of the quad's mean sides costs least.
+void weigh_sides(Sector& s) {
+  const double along_b = s.b.norm() + (s.c - s.d).norm();
+  const double along_d = s.d.norm() + (s.c - s.b).norm();
+  if (along_b <= 0.0 || along_d <= 0.0) return;
+  s.weight_b = along_d / along_b;
+  s.weight_d = along_b / along_d;
+}
+
+bool gather(const SurfaceMesh& mesh, VertexH v, QuadTarget target, Star& star) {
   choose_axes(mesh.data(v).normal, star);
   const Vec3 origin = mesh.position(v);
   const auto flat = [&](VertexH w) {
@@ -55,6 +65,7 @@ bool gather(const SurfaceMesh& mesh, VertexH v, Star& star) {
     sector.c = flat(mesh.to(bc));
     sector.quad = mesh.next(beyond) != h;
     if (sector.quad) sector.d = flat(mesh.to(beyond));
+    if (sector.quad && target == QuadTarget::kRectangle) weigh_sides(sector);
     sides += sector.b.norm();
     h = mesh.rotate_ccw(h);
   } while (h != first);
@@ -105,11 +116,12 @@ Cost cost_at(const Star& star, const Vec2& p) {
     const Vec2 b = s.b - p;
     if (s.quad) {
       const Vec2 d = s.d - p, bc = s.c - s.b, dc = s.c - s.d;
-      cost.add(b.squaredNorm() + d.squaredNorm(), -2.0 * (b + d), 4.0, cross(b, d),
-               Vec2(b.y() - d.y(), d.x() - b.x()), star.area_floor);
-      cost.add(b.squaredNorm() + bc.squaredNorm(), -2.0 * b, 2.0, cross(bc, -b),
+      const double wb = s.weight_b, wd = s.weight_d;
+      cost.add(wb * b.squaredNorm() + wd * d.squaredNorm(), -2.0 * (wb * b + wd * d),
+               2.0 * (wb + wd), cross(b, d), Vec2(b.y() - d.y(), d.x() - b.x()), star.area_floor);
+      cost.add(wb * b.squaredNorm() + wd * bc.squaredNorm(), -2.0 * wb * b, 2.0 * wb, cross(bc, -b),
                Vec2(-bc.y(), bc.x()), star.area_floor);
-      cost.add(d.squaredNorm() + dc.squaredNorm(), -2.0 * d, 2.0, cross(-d, dc),
+      cost.add(wd * d.squaredNorm() + wb * dc.squaredNorm(), -2.0 * wd * d, 2.0 * wd, cross(-d, dc),
                Vec2(dc.y(), -dc.x()), star.area_floor);
     } else {
       // Three sides over the area: 1 for equal sides with this factor.
@@ -167,36 +179,37 @@ bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place) 
   return true;
 }
 
-}  // namespace
-
-bool smooth_star(SurfaceMesh& mesh, PatchSurface& surface, VertexH v) {
+// True where the vertex moved noticeably.
+bool smooth_star(SurfaceMesh& mesh, PatchSurface& surface, QuadTarget target, VertexH v) {
   Star star;
-  if (!gather(mesh, v, star)) return false;
+  if (!gather(mesh, v, target, star)) return false;
   Vec2 place;
   if (!find_minimum(star, place)) return false;
   VertexData& data = mesh.data(v);
-  const Vec3 target = data.point.xyz + place.x() * star.x_axis + place.y() * star.y_axis;
+  const Vec3 goal = data.point.xyz + place.x() * star.x_axis + place.y() * star.y_axis;
   SurfacePoint foot;
-  if (!surface.project(target, data.point, foot)) return false;
-  if ((foot.xyz - target).norm() > 0.5 * star.mean_side) return false;
+  if (!surface.project(goal, data.point, foot)) return false;
+  if ((foot.xyz - goal).norm() > 0.5 * star.mean_side) return false;
   if (!keeps_faces_upright(mesh, v, foot.xyz)) return false;
   data.point = foot;
   data.normal = surface.normal(foot);
   return true;
 }
 
-void smooth_stars(SurfaceMesh& mesh, PatchSurface& surface, const std::vector<VertexH>& free,
-                  int sweeps, const CancelFlag& cancel) {
+}  // namespace
+
+void smooth_stars(SurfaceMesh& mesh, PatchSurface& surface, const std::vector<VertexH>& movable,
+                  QuadTarget target, int sweeps, const CancelFlag& cancel) {
   std::vector<char> waiting(mesh.vertex_capacity(), 0);
-  for (const VertexH v : free) waiting[v.index()] = 1;
+  for (const VertexH v : movable) waiting[v.index()] = 1;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     std::size_t moved = 0;
-    for (std::size_t i = 0; i < free.size(); ++i) {
+    for (std::size_t i = 0; i < movable.size(); ++i) {
       if (i % kCancelStride == 0) cancel.check();
-      const VertexH v = free[i];
+      const VertexH v = movable[i];
       if (!waiting[v.index()] || !mesh.alive(v)) continue;
       waiting[v.index()] = 0;
-      if (!smooth_star(mesh, surface, v)) continue;
+      if (!smooth_star(mesh, surface, target, v)) continue;
       ++moved;
       waiting[v.index()] = 1;
       const HalfedgeH first = mesh.outgoing(v);
