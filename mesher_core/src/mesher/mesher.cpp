@@ -45,6 +45,7 @@ struct Mesher::Impl {
   void start();
   void triangulate_all();
   void advance_all();
+  void report_idle_walls(std::vector<Diagnostic>& diagnostics) const;
   MeshResult finish();
   template <class Body>
   void for_each_job(const Body& body);
@@ -70,9 +71,9 @@ Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
       settings(the_settings),
       arena(the_settings.threads > 0 ? the_settings.threads : tbb::task_arena::automatic) {
   check(settings, model);
-  for (PatchPlan& plan : plan_patches(model, settings)) {
+  for (std::vector<FaceId>& faces : group_faces(model, settings)) {
     jobs.push_back(
-        std::make_unique<PatchJob>(PatchId(jobs.size()), std::move(plan), model, settings));
+        std::make_unique<PatchJob>(PatchId(jobs.size()), std::move(faces), model, settings));
   }
   order.resize(jobs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -146,6 +147,22 @@ void Mesher::Impl::advance_all() {
   growing = !pending.empty();
 }
 
+// A wall that was asked for by name, but grows nowhere, is not passed over in silence.
+void Mesher::Impl::report_idle_walls(std::vector<Diagnostic>& diagnostics) const {
+  std::set<EdgeId> asked;
+  for (const WallSpec& spec : settings.walls) asked.insert(spec.edges.begin(), spec.edges.end());
+  for (const EdgeId edge : asked) {
+    const bool bounds = std::any_of(jobs.begin(), jobs.end(), [edge](const auto& job) {
+      return job->meshed() && job->borders_on(edge);
+    });
+    if (bounds) continue;
+    Diagnostic diagnostic;
+    diagnostic.code = "wall-inside";
+    diagnostic.text = edge_name(edge) + " bounds no meshed patch: no layers grow from it";
+    diagnostics.push_back(std::move(diagnostic));
+  }
+}
+
 MeshResult Mesher::Impl::finish() {
   const Stopwatch watch(seconds["core"]);
   for_each_job([this](PatchJob& job, std::size_t) {
@@ -156,8 +173,10 @@ MeshResult Mesher::Impl::finish() {
   FigureCounts counts;
   for (const auto& job : jobs) {
     counts.add(job->counts());
-    result.walls.insert(result.walls.end(), job->walls().begin(), job->walls().end());
+    const auto& walls = job->wall_reports();
+    result.walls.insert(result.walls.end(), walls.begin(), walls.end());
   }
+  report_idle_walls(result.diagnostics);
   result.figures = counts.figures(static_cast<int>(result.nodes.size()));
   return result;
 }

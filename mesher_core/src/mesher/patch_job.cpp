@@ -42,16 +42,17 @@ bool is_inverted(const SurfaceMesh& mesh, FaceH f, const ElementCorners& element
 
 }  // namespace
 
-PatchJob::PatchJob(PatchId id, PatchPlan plan, const Model& model, const Settings& settings)
+PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
+                   const Settings& settings)
     : id_(id),
-      plan_(std::move(plan)),
+      faces_(std::move(faces)),
       settings_(&settings),
       evaluator_(model),
-      surface_(evaluator_, plan_.faces) {
-  for (const FaceId face : plan_.faces) area_ += model.face(face).area;
+      surface_(evaluator_, faces_) {
+  for (const FaceId face : faces_) area_ += model.face(face).area;
   report_.patch = id;
-  report_.faces = plan_.faces;
-  for (const FaceId face : plan_.faces) {
+  report_.faces = faces_;
+  for (const FaceId face : faces_) {
     const std::string& defect = model.face(face).defect;
     if (defect.empty()) continue;
     complain("face-defect", face_name(face) + " is not meshed: " + defect);
@@ -80,7 +81,7 @@ bool PatchJob::guard(const char* code, const Stage& stage) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    const std::string name = patch_name(plan_.faces);
+    const std::string name = patch_name(faces_);
     const std::string what = error.what();
     complain(code, what.find(name) == std::string::npos ? name + ": " + what : what);
     return false;
@@ -93,6 +94,7 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
   diagnostics_.clear();
   std::vector<EdgeId> coarse;
   meshed_ = guard("face-not-meshed", [&] {
+    walls_ = plan_walls(evaluator_, *settings_, faces_);
     try {
       Triangulation made =
           advlayers::triangulate(surface_, evaluator_, boundary, *settings_, cancel);
@@ -115,7 +117,7 @@ bool PatchJob::advance(LayerReport& report, const CancelFlag& cancel) {
   growing_ = guard("layers-stopped",
                    [&] {
                      if (!layers_)
-                       layers_ = std::make_unique<PatchLayers>(id_, mesh_, surface_, plan_.walls);
+                       layers_ = std::make_unique<PatchLayers>(id_, mesh_, surface_, walls_);
                      if (!layers_->advance(report, cancel)) {
                        growing_ = false;
                        return;
@@ -153,7 +155,7 @@ void PatchJob::measure() {
   if (!meshed_) return;
   guard("not-measured", [&] {
     count_elements();
-    walls_ = measure_walls(mesh_, surface_, plan_.walls, stops_, report_.layers);
+    wall_reports_ = measure_walls(mesh_, surface_, walls_, stops_, report_.layers);
   });
 }
 
@@ -172,7 +174,7 @@ void PatchJob::count_elements() {
 
 // In a patch of several faces an element belongs to the one that most of its corners lie on.
 FaceId PatchJob::face_of(FaceH f) const {
-  if (plan_.faces.size() == 1) return plan_.faces.front();
+  if (faces_.size() == 1) return faces_.front();
   FaceId best;
   int best_votes = 0;
   const HalfedgeH first = mesh_.halfedge(f);

@@ -19,7 +19,7 @@ namespace advlayers {
 
 class PatchJob {
  public:
-  PatchJob(PatchId id, PatchPlan plan, const Model& model, const Settings& settings);
+  PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model, const Settings& settings);
   PatchJob(const PatchJob&) = delete;
 
   // The stages, in this order; each throws Cancelled and nothing else.
@@ -31,15 +31,15 @@ class PatchJob {
   void measure();
 
   bool meshed() const { return meshed_; }
-  bool borders_on(EdgeId edge) const { return plan_.walls.edges.count(edge) > 0; }
+  bool borders_on(EdgeId edge) const { return walls_.edges.count(edge) > 0; }
   PatchId id() const { return id_; }
-  const std::vector<FaceId>& faces() const { return plan_.faces; }
+  const std::vector<FaceId>& faces() const { return faces_; }
   double area() const { return area_; }  // [mm^2] of the faces, as a measure of the work
   const SurfaceMesh& mesh() const { return mesh_; }
 
   // Of measure(), but for the diagnostics:
   const PatchReport& report() const { return report_; }
-  const std::vector<WallReport>& walls() const { return walls_; }
+  const std::vector<WallReport>& wall_reports() const { return wall_reports_; }
   const FigureCounts& counts() const { return counts_; }
   std::vector<Diagnostic> diagnostics() const;
 
@@ -54,18 +54,19 @@ class PatchJob {
   void count_elements();
 
   PatchId id_;
-  PatchPlan plan_;
+  std::vector<FaceId> faces_;
   const Settings* settings_;
   double area_ = 0.0;
   Evaluator evaluator_;
   PatchSurface surface_;
+  WallPlan walls_;  // of triangulate()
   SurfaceMesh mesh_;
   std::unique_ptr<PatchLayers> layers_;
   bool meshed_ = false;
   bool growing_ = false;
   bool defective_ = false;
   PatchReport report_;
-  std::vector<WallReport> walls_;
+  std::vector<WallReport> wall_reports_;
   FigureCounts counts_;
   std::vector<StopRecord> stops_;
   std::vector<Diagnostic> diagnostics_;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <unordered_set>
 
+#include "boundary/patch_edges.h"
+
 namespace advlayers {
 namespace {
 
@@ -11,23 +13,16 @@ using EdgeSet = std::unordered_set<EdgeId>;
 
 constexpr int kUntilClosed = std::numeric_limits<int>::max();
 
-std::vector<FaceId> meshed_faces(const Model& model, const Settings& settings) {
-  std::vector<FaceId> faces = settings.faces;
-  if (faces.empty()) {
-    for (std::size_t i = 0; i < model.faces().size(); ++i) faces.emplace_back(i);
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
-// Edges that bound the patch, in the order of the faces' loops. Seams and degenerate edges do not.
-std::vector<EdgeId> boundary_edges(const Model& model, const std::vector<FaceId>& faces) {
-  std::vector<EdgeId> edges;
+// Every edge that bounds the patch: of all faces, but degenerate and inner ones.
+EdgeSet boundary_edges(Evaluator& evaluator, const Settings& settings,
+                       const std::vector<FaceId>& faces) {
+  const auto inner = inner_edges(evaluator, faces, settings.feature_angle);
+  EdgeSet edges;
   for (const FaceId face : faces) {
-    for (const auto& loop : model.face(face).loops) {
+    for (const auto& loop : evaluator.model().face(face).loops) {
       for (const CoEdge& coedge : loop) {
-        if (!coedge.seam && !coedge.degenerate) edges.push_back(coedge.edge);
+        const bool is_inner = std::binary_search(inner.begin(), inner.end(), coedge.edge);
+        if (!coedge.degenerate && !is_inner) edges.insert(coedge.edge);
       }
     }
   }
@@ -79,13 +74,26 @@ void match_beside_walls(const Model& model, WallPlan& walls) {
   }
 }
 
-WallPlan plan_walls(const Model& model, const Settings& settings,
+}  // namespace
+
+std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings& settings) {
+  std::vector<FaceId> faces = settings.faces;
+  if (faces.empty()) {
+    for (std::size_t i = 0; i < model.faces().size(); ++i) faces.emplace_back(i);
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<std::vector<FaceId>> patches;
+  for (const FaceId face : faces) patches.push_back({face});
+  return patches;
+}
+
+WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
                     const std::vector<FaceId>& faces) {
   WallPlan walls;
   walls.stop_at_isotropy = settings.end == EndOfGrowth::kIsotropic;
   walls.max_height = settings.size;
-  const auto boundary_list = boundary_edges(model, faces);
-  const EdgeSet boundary(boundary_list.begin(), boundary_list.end());
+  const EdgeSet boundary = boundary_edges(evaluator, settings, faces);
   for (const EdgeId edge : boundary) {
     walls.edges[edge] = settings.walls_all ? wall_by(settings) : EdgePlan();
   }
@@ -101,22 +109,9 @@ WallPlan plan_walls(const Model& model, const Settings& settings,
     }
   };
   override_with(settings.match_edges, EdgeCondition::kMatch);
-  if (!settings.walls_all) match_beside_walls(model, walls);
+  if (!settings.walls_all) match_beside_walls(evaluator.model(), walls);
   override_with(settings.off_edges, EdgeCondition::kOff);
   return walls;
-}
-
-}  // namespace
-
-std::vector<PatchPlan> plan_patches(const Model& model, const Settings& settings) {
-  std::vector<PatchPlan> plans;
-  for (const FaceId face : meshed_faces(model, settings)) {
-    PatchPlan plan;
-    plan.faces = {face};
-    plan.walls = plan_walls(model, settings, plan.faces);
-    plans.push_back(std::move(plan));
-  }
-  return plans;
 }
 
 std::string patch_name(const std::vector<FaceId>& faces) {

@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "geometry/model.h"
+#include "geometry/evaluator.h"
 #include "layers/wall_plan.h"
 #include "sizing/settings.h"
 
 namespace advlayers {
 
-struct PatchPlan {
-  std::vector<FaceId> faces;
-  WallPlan walls;
-};
+// The faces of each patch, in rising order; patches by their first face. Every face asked for is
+// in exactly one.
+std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings& settings);
 
-// One plan per patch, ordered by the patch's first face. Every face asked for is in exactly one.
-std::vector<PatchPlan> plan_patches(const Model& model, const Settings& settings);
+// What grows from each edge that bounds the patch. Throws GeometryError.
+WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
+                    const std::vector<FaceId>& faces);
 
 // "Face3", or "Face3 and 4 more" for a patch of several.
 std::string patch_name(const std::vector<FaceId>& faces);
