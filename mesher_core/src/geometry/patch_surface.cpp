@@ -1,12 +1,147 @@
 #include "geometry/patch_surface.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
 namespace advlayers {
 
-PatchSurface::PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces)
-    : evaluator_(&evaluator), faces_(std::move(faces)) {}
+namespace {
+
+constexpr int kEdgeSamples = 32;
+constexpr int kMaxFaces = 64;  // that one step may lead over
+constexpr int kBisections = 40;
+// The trimmed regions are polygons within this part of a face's extent.
+constexpr double kBlur = 1e-3;
+constexpr double kLengthError = 1e-7;  // relative
+
+struct Use {
+  FaceId face;
+  CoEdge coedge;
+};
+
+}  // namespace
+
+PatchSurface::PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces, double feature_angle)
+    : evaluator_(&evaluator), faces_(std::move(faces)) {
+  if (faces_.size() > 1) find_crossings(feature_angle);
+}
+
+void PatchSurface::find_crossings(double feature_angle) {
+  const Model& model = evaluator_->model();
+  std::map<EdgeId, std::vector<Use>> uses;
+  for (const FaceId f : faces_) {
+    for (const auto& loop : model.face(f).loops) {
+      for (const CoEdge& coedge : loop) uses[coedge.edge].push_back({f, coedge});
+    }
+  }
+  for (const auto& [id, sides] : uses) {
+    const Edge& edge = model.edge(id);
+    if (edge.degenerate || sides.size() != 2 || sides[0].face == sides[1].face) continue;
+    if (!(model.dihedral_angle(id) < feature_angle * M_PI / 180.0)) continue;
+    for (int k = 0; k < 2; ++k) {
+      Crossing& crossing = crossings_.emplace_back();
+      crossing.from = sides[static_cast<std::size_t>(k)].face;
+      crossing.onto = sides[static_cast<std::size_t>(1 - k)].face;
+      crossing.coedge = sides[static_cast<std::size_t>(1 - k)].coedge;
+      for (int i = 0; i <= kEdgeSamples; ++i) {
+        crossing.params.push_back(edge.first + (edge.last - edge.first) * i / kEdgeSamples);
+        crossing.points.push_back(evaluator_->edge_point(id, crossing.params.back()));
+      }
+    }
+  }
+}
+
+// Distance to the edge, and the parameter there: from the samples, then by Gauss-Newton.
+double PatchSurface::nearest(const Crossing& crossing, const Vec3& xyz, double& t) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < crossing.points.size(); ++i) {
+    const Vec3& a = crossing.points[i - 1];
+    const Vec3 ab = crossing.points[i] - a;
+    const double length2 = ab.squaredNorm();
+    const double part = length2 > 0.0 ? std::clamp((xyz - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+    const double distance2 = (a + part * ab - xyz).squaredNorm();
+    if (distance2 >= best) continue;
+    best = distance2;
+    t = crossing.params[i - 1] + part * (crossing.params[i] - crossing.params[i - 1]);
+  }
+  const EdgeId id = crossing.coedge.edge;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 tangent = evaluator_->edge_tangent(id, t);
+    const double speed2 = tangent.squaredNorm();
+    if (!(speed2 > 0.0)) break;
+    t += (xyz - evaluator_->edge_point(id, t)).dot(tangent) / speed2;
+    t = std::clamp(t, crossing.params.front(), crossing.params.back());
+  }
+  return (evaluator_->edge_point(id, t) - xyz).norm();
+}
+
+// The foot on the neighbour, sought from the edge.
+bool PatchSurface::cross(const Crossing& crossing, const Vec3& xyz, double t, SurfacePoint& foot) {
+  const Vec2 uv = evaluator_->edge_uv(crossing.onto, crossing.coedge, t);
+  return evaluator_->project(xyz, {crossing.onto, uv.x(), uv.y(), xyz}, foot);
+}
 
 bool PatchSurface::project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoint& foot) {
-  return evaluator_->project(xyz, seed, foot);
+  const bool found = evaluator_->project(xyz, seed, foot);
+  if (crossings_.empty()) return found;
+  if (found && evaluator_->inside(foot.face, foot.u, foot.v)) return true;
+  // Edges further away than the point has moved cannot have been crossed.
+  const double reach = 1.5 * (xyz - seed.xyz).norm() + kBlur * (foot.xyz - seed.xyz).norm();
+  std::vector<FaceId> met{seed.face};
+  SurfacePoint best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < met.size() && !best.face.valid(); ++k) {
+    for (const Crossing& crossing : crossings_) {
+      double t = 0.0;
+      const bool fresh = std::find(met.begin(), met.end(), crossing.onto) == met.end();
+      if (crossing.from != met[k] || !fresh || nearest(crossing, xyz, t) > reach) continue;
+      met.push_back(crossing.onto);
+      SurfacePoint other;
+      if (!cross(crossing, xyz, t, other)) continue;
+      const double distance = (other.xyz - xyz).norm();
+      if (distance >= best_distance || !evaluator_->inside(other.face, other.u, other.v)) continue;
+      best = other;
+      best_distance = distance;
+    }
+  }
+  if (!best.face.valid()) return found;
+  foot = best;
+  return true;
+}
+
+bool PatchSurface::lands_inside(const SurfacePoint& from, double length, Vec3& heading,
+                                SurfacePoint& to) {
+  return evaluator_->walk(from, length, heading, to) && evaluator_->inside(to.face, to.u, to.v);
+}
+
+// How far the walk stays on the trimmed face.
+double PatchSurface::find_exit(const SurfacePoint& from, const Vec3& heading, double length) {
+  double inside = 0.0, outside = length;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    Vec3 unused = heading;
+    SurfacePoint p;
+    (lands_inside(from, middle, unused, p) ? inside : outside) = middle;
+  }
+  return outside;
+}
+
+const PatchSurface::Crossing* PatchSurface::crossing_at(const SurfacePoint& p, double reach,
+                                                        EdgeId not_over, double& t) {
+  const Crossing* found = nullptr;
+  double best = reach;
+  for (const Crossing& crossing : crossings_) {
+    if (crossing.from != p.face || crossing.coedge.edge == not_over) continue;
+    double t_near = 0.0;
+    const double distance = nearest(crossing, p.xyz, t_near);
+    if (distance >= best) continue;
+    best = distance;
+    t = t_near;
+    found = &crossing;
+  }
+  return found;
 }
 
 bool PatchSurface::step(const SurfacePoint& from, const Vec3& direction, double length,
@@ -16,7 +151,35 @@ bool PatchSurface::step(const SurfacePoint& from, const Vec3& direction, double 
   const double size = heading.norm();
   if (!(size > 1e-9 * direction.norm())) return false;
   heading /= size;
-  return evaluator_->walk(from, length, heading, to);
+  if (crossings_.empty()) return evaluator_->walk(from, length, heading, to);
+
+  SurfacePoint at = from;
+  double left = length;
+  EdgeId came_over;
+  for (int face = 0; face < kMaxFaces; ++face) {
+    Vec3 ahead = heading;
+    const bool arrived = evaluator_->walk(at, left, ahead, to);
+    if (arrived && evaluator_->inside(to.face, to.u, to.v)) return true;
+    const double exit = find_exit(at, heading, left);
+    SurfacePoint end;
+    if (!evaluator_->walk(at, exit, heading, end)) return arrived;
+    // Just across an edge, the blurred face before it must not call the point back.
+    const double blur = kBlur * std::sqrt(evaluator_->model().face(at.face).area);
+    double t = 0.0;
+    const Crossing* crossing = crossing_at(end, blur, exit < blur ? came_over : EdgeId(), t);
+    SurfacePoint next;
+    if (!crossing || !cross(*crossing, end.xyz, t, next)) return arrived;
+    const Vec3 n = evaluator_->normal(next);
+    heading = (heading - heading.dot(n) * n).normalized();
+    came_over = crossing->coedge.edge;
+    at = next;
+    left -= exit;
+    if (left <= kLengthError * length) {
+      to = at;
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace advlayers

@@ -1,5 +1,6 @@
 // The surface under one patch, as the front sees it: one smooth surface, whichever CAD face a point
-// lies on. A point that leaves its face over an edge inside the patch continues on the neighbour.
+// lies on. A point that leaves its face over an edge inside the patch continues on the neighbour;
+// over any other edge it stays on the face's own surface, which is not trimmed.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,9 @@ namespace advlayers {
 
 class PatchSurface {
  public:
-  PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces);
+  // Edges inside the patch: those of exactly two of its faces that meet at less than
+  // `feature_angle` [deg].
+  PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces, double feature_angle = 20.0);
 
   const std::vector<FaceId>& faces() const { return faces_; }
   Vec3 normal(const SurfacePoint& p) { return evaluator_->normal(p); }
@@ -19,14 +22,29 @@ class PatchSurface {
   bool project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoint& foot);
 
   // Walks `length` [mm] along the surface from `from`, starting in `direction` (any vector with a
-  // part in the tangent plane; need not be a unit vector), as straight as the surface allows:
-  // predicted by the first fundamental form, corrected by projection, sub-stepped where curvature x
-  // step is large. The arc length from `from` to `to` is `length` to 1e-6 relative.
+  // part in the tangent plane; need not be a unit vector), as straight as the surface allows.
+  // The arc length from `from` to `to` is `length` to 1e-6 relative. Returns false where the
+  // direction is the normal's, or the surface itself ends before.
   bool step(const SurfacePoint& from, const Vec3& direction, double length, SurfacePoint& to);
 
  private:
+  // A way from one face over an inner edge onto another.
+  struct Crossing {
+    FaceId from, onto;
+    CoEdge coedge;  // of `onto`
+    std::vector<double> params;
+    std::vector<Vec3> points;  // of the edge at these
+  };
+  void find_crossings(double feature_angle);
+  double nearest(const Crossing& crossing, const Vec3& xyz, double& t);
+  bool cross(const Crossing& crossing, const Vec3& xyz, double t, SurfacePoint& foot);
+  bool lands_inside(const SurfacePoint& from, double length, Vec3& heading, SurfacePoint& to);
+  const Crossing* crossing_at(const SurfacePoint& p, double reach, EdgeId not_over, double& t);
+  double find_exit(const SurfacePoint& from, const Vec3& heading, double length);
+
   Evaluator* evaluator_;
   std::vector<FaceId> faces_;
+  std::vector<Crossing> crossings_;
 };
 
 }  // namespace advlayers
