@@ -1,6 +1,7 @@
 #include "mesher/mesher.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -25,6 +26,12 @@ namespace {
 constexpr int kMostHalvings = 6;
 
 using Clock = std::chrono::steady_clock;
+
+// More threads than processors would gain nothing, and TBB complains of them.
+int arena_size(int threads) {
+  const int most = tbb::info::default_concurrency();
+  return threads > 0 ? std::min(threads, most) : most;
+}
 
 // Adds the wall-clock time of its life to one entry of the result's seconds.
 class Stopwatch {
@@ -67,9 +74,7 @@ struct Mesher::Impl {
 };
 
 Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
-    : model(the_model),
-      settings(the_settings),
-      arena(the_settings.threads > 0 ? the_settings.threads : tbb::task_arena::automatic) {
+    : model(the_model), settings(the_settings), arena(arena_size(the_settings.threads)) {
   check(settings, model);
   for (std::vector<FaceId>& faces : group_faces(model, settings)) {
     jobs.push_back(

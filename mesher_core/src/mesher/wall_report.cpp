@@ -84,7 +84,9 @@ void summarize(const std::vector<Sample>& samples, WallReport& report) {
     ratio_sum += s.second / s.first;
     ++ratios;
   }
-  if (heights > 0) report.achieved_mean = sum / heights;
+  if (heights > 0) {  // a mean of equal heights may leave them by round-off
+    report.achieved_mean = std::clamp(sum / heights, report.achieved_min, report.achieved_max);
+  }
   if (ratios > 0) report.achieved_growth = ratio_sum / ratios;
 }
 

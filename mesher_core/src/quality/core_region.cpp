@@ -71,7 +71,7 @@ bool is_extrusion(const SurfaceMesh& mesh, HalfedgeH h) {
 void return_to_core(SurfaceMesh& mesh) {
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     const FaceH f(i);
-    if (!mesh.alive(f) || is_core(mesh, f) || is_triangle(mesh, mesh.halfedge(f))) continue;
+    if (!mesh.alive(f) || is_core(mesh, f) || mesh.is_triangle(mesh.halfedge(f))) continue;
     bool extruded = false;
     HalfedgeH h = mesh.halfedge(f);
     for (int k = 0; k < 4; ++k, h = mesh.next(h)) extruded = extruded || is_extrusion(mesh, h);

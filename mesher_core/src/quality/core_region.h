@@ -18,9 +18,6 @@ std::vector<VertexH> free_vertices(const SurfaceMesh& mesh);
 // layers whose heights are to stay as extruded. In the order of their handles.
 std::vector<VertexH> seam_vertices(const SurfaceMesh& mesh);
 
-inline bool is_triangle(const SurfaceMesh& mesh, HalfedgeH h) {
-  return mesh.next(mesh.next(mesh.next(h))) == h;
-}
 inline bool is_core(const SurfaceMesh& mesh, FaceH f) { return mesh.data(f).layer == 0; }
 
 // Both faces beside the edge belong to the core, and the edge may be changed.

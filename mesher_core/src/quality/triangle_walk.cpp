@@ -72,7 +72,7 @@ void Walker::find_goals(FaceH start) {
   reached_[start.index()] = mesh_.halfedge(start);
   for (std::size_t i = 0; i < touched_.size() && i < kSearchLimit; ++i) {
     const HalfedgeH first = mesh_.halfedge(touched_[i]);
-    if (i > 0 && is_triangle(mesh_, first)) continue;
+    if (i > 0 && mesh_.is_triangle(first)) continue;
     HalfedgeH h = first;
     do {
       const HalfedgeH beyond = SurfaceMesh::twin(h);
@@ -80,7 +80,7 @@ void Walker::find_goals(FaceH start) {
         const FaceH next = mesh_.face(beyond);
         reached_[next.index()] = beyond;
         touched_.push_back(next);
-        if (is_triangle(mesh_, beyond)) goals_.push_back(next);
+        if (mesh_.is_triangle(beyond)) goals_.push_back(next);
       }
       h = mesh_.next(h);
     } while (h != first);
@@ -218,7 +218,7 @@ int join_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
   int pairs = 0;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     const FaceH f(i);
-    if (!mesh.alive(f) || !is_core(mesh, f) || !is_triangle(mesh, mesh.halfedge(f))) continue;
+    if (!mesh.alive(f) || !is_core(mesh, f) || !mesh.is_triangle(mesh.halfedge(f))) continue;
     cancel.check();
     pairs += walker.join(f);
   }

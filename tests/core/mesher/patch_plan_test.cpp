@@ -1,0 +1,90 @@
+#include "mesher/patch_plan.h"
+
+#include <gtest/gtest.h>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+
+#include <limits>
+
+#include "geometry/shapes.h"
+
+namespace advlayers::test {
+namespace {
+
+class BoxWalls : public testing::Test {
+ protected:
+  BoxWalls() : model(model_of(BRepPrimAPI_MakeBox(1, 2, 3).Shape())), evaluator(model) {
+    settings.size = 0.5;
+    settings.first_height = 0.1;
+    settings.growth = 1.3;
+  }
+
+  WallPlan plan() { return plan_walls(evaluator, settings, {FaceId(0)}); }
+  EdgeId edge(std::size_t k) const { return model.face(FaceId(0)).loops[0][k].edge; }
+
+  Model model;
+  Evaluator evaluator;
+  Settings settings;
+};
+
+TEST_F(BoxWalls, GrowFromEveryBoundaryEdgeByDefault) {
+  const WallPlan walls = plan();
+  EXPECT_EQ(walls.edges.size(), 4u);
+  for (const auto& [id, wall] : walls.edges) {
+    EXPECT_EQ(wall.condition, EdgeCondition::kWall) << edge_name(id);
+    EXPECT_EQ(wall.first_height, 0.1);
+    EXPECT_EQ(wall.growth, 1.3);
+    EXPECT_EQ(wall.layers, std::numeric_limits<int>::max());
+  }
+}
+
+TEST_F(BoxWalls, ListedWallsMakeTheirNeighboursMatchAndTheRestOff) {
+  settings.walls_all = false;
+  settings.walls.push_back({{edge(0)}, {}, 0.2, std::nullopt, 4});
+  const WallPlan walls = plan();
+  EXPECT_EQ(walls.edges.at(edge(0)).condition, EdgeCondition::kWall);
+  EXPECT_EQ(walls.edges.at(edge(0)).first_height, 0.2);
+  EXPECT_EQ(walls.edges.at(edge(0)).growth, 1.3);
+  EXPECT_EQ(walls.edges.at(edge(0)).layers, 4);
+  EXPECT_EQ(walls.edges.at(edge(1)).condition, EdgeCondition::kMatch);
+  EXPECT_EQ(walls.edges.at(edge(2)).condition, EdgeCondition::kOff);
+  EXPECT_EQ(walls.edges.at(edge(3)).condition, EdgeCondition::kMatch);
+}
+
+TEST_F(BoxWalls, WallsOfAnotherFaceAreNone) {
+  settings.walls_all = false;
+  settings.walls.push_back({{edge(0)}, {FaceId(5)}, {}, {}, {}});
+  EXPECT_EQ(plan().edges.at(edge(0)).condition, EdgeCondition::kOff);
+}
+
+TEST_F(BoxWalls, MatchAndOffOverride) {
+  settings.off_edges = {edge(1)};
+  settings.match_edges = {edge(2)};
+  const WallPlan walls = plan();
+  EXPECT_EQ(walls.edges.at(edge(0)).condition, EdgeCondition::kWall);
+  EXPECT_EQ(walls.edges.at(edge(1)).condition, EdgeCondition::kOff);
+  EXPECT_EQ(walls.edges.at(edge(2)).condition, EdgeCondition::kMatch);
+}
+
+TEST_F(BoxWalls, FacesAreGroupedOnceAndInOrder) {
+  settings.faces = {FaceId(4), FaceId(1), FaceId(4)};
+  const auto patches = group_faces(model, settings);
+  ASSERT_EQ(patches.size(), 2u);
+  EXPECT_EQ(patches[0], (std::vector<FaceId>{FaceId(1)}));
+  EXPECT_EQ(patches[1], (std::vector<FaceId>{FaceId(4)}));
+}
+
+TEST(PatchPlan, ASeamIsNoWall) {
+  const Model model = model_of(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  Evaluator evaluator(model);
+  Settings settings;
+  settings.size = 1.0;
+  settings.first_height = 0.1;
+  for (std::size_t i = 0; i < model.faces().size(); ++i) {
+    const bool side = model.faces()[i].kind == SurfaceKind::kCylinder;
+    EXPECT_EQ(plan_walls(evaluator, settings, {FaceId(i)}).edges.size(), side ? 2u : 1u);
+  }
+}
+
+}  // namespace
+}  // namespace advlayers::test
