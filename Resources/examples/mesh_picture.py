@@ -1,13 +1,13 @@
-"""Draws a mesh file: mesh_picture.py mesh.vtu picture.png [--edge | --top]
+"""Draws a mesh file: mesh_picture.py mesh.vtu picture.png [width]
 
-The whole mesh, layers coloured; below it a view of the region that the first layers are in.
-Needs python3-vtk9 and a display (xvfb-run will do).
+The whole mesh, layers in blue, darkest at the walls; beside it a view along the z axis, and a
+corner from near. Needs python3-vtk9 and a display (xvfb-run will do).
 """
 import sys
 
 import vtk
 
-WIDTH, HEIGHT = 1600, 1200
+WIDTH = 1600
 CORE = (0.93, 0.93, 0.90)
 FIRST, LAST = (0.16, 0.38, 0.63), (0.80, 0.89, 0.95)  # colours of the first and the last layer
 
@@ -31,7 +31,7 @@ def layer_colours(layers):
     return table
 
 
-def actor(grid):
+def actor(grid, width):
     grid.GetCellData().SetActiveScalars("layer")
     layers = int(grid.GetCellData().GetArray("layer").GetRange()[1])
     mapper = vtk.vtkDataSetMapper()
@@ -44,25 +44,25 @@ def actor(grid):
     look = drawn.GetProperty()
     look.EdgeVisibilityOn()
     look.SetEdgeColor(0.10, 0.12, 0.15)
-    look.SetLineWidth(1.3)
+    look.SetLineWidth(width / 1200.0)
     look.SetAmbient(0.55)
     look.SetDiffuse(0.5)
     return drawn
 
 
-def view(grid, box, direction, up, zoom, focus=None):
+def view(grid, width, box, direction, zoom, focus=None):
     """A renderer for one part of the picture; `box` is (left, bottom, right, top) in [0, 1]."""
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetViewport(*box)
-    renderer.AddActor(actor(grid))
+    renderer.AddActor(actor(grid, width))
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     bounds = grid.GetBounds()
     centre = focus or [0.5 * (bounds[i] + bounds[i + 1]) for i in (0, 2, 4)]
     camera.SetFocalPoint(*centre)
     camera.SetPosition(*(c + d * grid.GetLength() for c, d in zip(centre, direction)))
-    camera.SetViewUp(*up)
+    camera.SetViewUp(0, 1, 0)
     renderer.ResetCamera()
     if focus:
         camera.SetFocalPoint(*focus)
@@ -81,19 +81,19 @@ def save(window, path):
     writer.Write()
 
 
-def main(mesh_path, picture_path):
-    grid = read(mesh_path)
+def main(mesh_path, picture_path, width=WIDTH):
+    grid, width = read(mesh_path), int(width)
     bounds = grid.GetBounds()
     corner = [bounds[1], 0.5 * (bounds[2] + bounds[3]), bounds[5]]
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(WIDTH, HEIGHT)
-    window.AddRenderer(view(grid, (0, 0, 0.6, 1), (-0.55, 0.75, 0.55), (0, 1, 0), 1.35))
-    window.AddRenderer(view(grid, (0.6, 0.5, 1, 1), (0, 0, 1), (0, 1, 0), 1.5))
-    window.AddRenderer(view(grid, (0.6, 0, 1, 0.5), (0.3, 0.8, 0.5), (0, 1, 0), 6.0, corner))
+    window.SetSize(width, width * 5 // 8)
+    window.AddRenderer(view(grid, width, (0, 0, 0.6, 1), (-0.5, 0.8, 0.5), 1.0))
+    window.AddRenderer(view(grid, width, (0.6, 0.55, 1, 1), (0, 0, 1), 1.65))
+    window.AddRenderer(view(grid, width, (0.6, 0, 1, 0.55), (0.4, 0.8, 0.45), 6.0, corner))
     window.Render()
     save(window, picture_path)
 
 
-main(*sys.argv[1:3])
+main(*sys.argv[1:])

@@ -10,26 +10,27 @@ import FreeCAD
 import Part
 
 CHORD, SPAN, THICKNESS = 1000.0, 1500.0, 0.18  # mm, mm, of the chord
-POINTS = 61  # on either side; closer together at both ends
 SIZE, FIRST_HEIGHT, GROWTH = 65.0, 7.0, 1.1
 
-
-def half_thickness(x):
-    """Of a symmetric four-digit section at x in [0, 1]; the last coefficient closes the tail."""
-    return 5.0 * THICKNESS * (0.2969 * math.sqrt(x) - 0.1260 * x - 0.3516 * x ** 2
-                              + 0.2843 * x ** 3 - 0.1036 * x ** 4)
+# Half the thickness of a symmetric four-digit section, by powers of s = sqrt(x), x along the chord.
+# The last coefficient is the one that closes the trailing edge.
+SECTION = {1: 0.2969, 2: -0.1260, 4: -0.3516, 6: 0.2843, 8: -0.1036}
 
 
 def side(sign):
-    """One side of the section as a spline, from the leading to the trailing edge."""
-    steps = [0.5 * (1.0 - math.cos(math.pi * i / (POINTS - 1))) for i in range(POINTS)]
-    points = [FreeCAD.Vector(CHORD * x, sign * CHORD * half_thickness(x), 0.0) for x in steps]
-    points[-1].y = 0.0
-    curve = Part.BSplineCurve()
-    # The section stands upright on the leading edge.
-    curve.interpolate(Points=points, InitialTangent=FreeCAD.Vector(0, sign, 0),
-                      FinalTangent=points[-1] - points[-2])
-    return curve.toShape()
+    """One side of the section, leading to trailing edge. In s the section is a polynomial of
+    degree 8, so that a Bezier curve is exactly it."""
+    degree = max(SECTION)
+    poles = []
+    for j in range(degree + 1):
+        share = {i: math.comb(j, i) / math.comb(degree, i) for i in range(j + 1)}
+        x = share.get(2, 0.0)
+        y = 5.0 * THICKNESS * sum(c * share.get(i, 0.0) for i, c in SECTION.items())
+        poles.append(FreeCAD.Vector(CHORD * x, sign * CHORD * y, 0.0))
+    poles[-1].y = 0.0
+    curve = Part.BezierCurve()
+    curve.setPoles(poles)
+    return curve.toBSpline().toShape()
 
 
 def wing():

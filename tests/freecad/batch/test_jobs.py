@@ -54,12 +54,20 @@ def euler_number(mesh):
     return len(mesh.points) - len(edges) // 2 + sum(len(block.data) for block in mesh.cells)
 
 
-@pytest.mark.parametrize("name", ["box.step", "box.iges", "box.brep"])
+@pytest.mark.parametrize("name", ["box.step", "box.brep"])
 def test_a_box(batch, job, tmp_path, name):
     ran = batch(job(input=name, **BOX, outputs=["box.vtu", "box.unv"], report="r.json"))
     assert (ran.status, ran.stderr) == (0, ""), ran.stdout
     assert files(tmp_path) == ["box.unv", "box.vtu", "r.json"]
     check_box(tmp_path)
+
+
+def test_iges_holds_faces_that_do_not_share_their_edges(batch, job, tmp_path):
+    ran = batch(job(input="box.iges", **BOX, outputs=["box.vtu"]))
+    assert (ran.status, ran.stderr) == (0, ""), ran.stdout
+    mesh = meshio.read(tmp_path / "box.vtu")
+    assert set(np.concatenate(mesh.cell_data["face"])) == {1, 2, 3, 4, 5, 6}
+    assert np.ptp(mesh.points, axis=0) == pytest.approx([30.0, 20.0, 10.0], abs=1e-9)
 
 
 def test_endings_in_any_case_and_odd_names(batch, job, tmp_path, shapes):
@@ -166,7 +174,7 @@ def test_ctrl_c(batch, job, tmp_path):
 
 def test_fcstd_output(job, tmp_path):
     ran = run(HOSTS["freecadcmd"] + [job(
-        input="box.step", **BOX, outputs=["box.FCStd", "box.med", "box.vtu"], report="r.json",
+        input="box.step", size=2.0, outputs=["box.FCStd", "box.med", "box.vtu"], report="r.json",
         walls=[{"edges": ["Edge1"], "first_height": 0.25}], groups={"inlet": ["Face1"]})])
     assert (ran.status, ran.stderr) == (0, ""), ran.stdout
     assert files(tmp_path) == ["box.FCStd", "box.med", "box.vtu", "r.json"]
@@ -189,7 +197,7 @@ json.dump(seen, open({str(note)!r}, "w"))
     assert opened.status == 0, opened.stderr
     seen, report = json.loads(note.read_text()), json.loads((tmp_path / "r.json").read_text())
     assert (seen["proxy"], seen["state"]) == ("LayerMesh", "Up to date")
-    assert seen["size"] == 5.0 and "0.25" in seen["walls"] and seen["faces"] == 6
+    assert seen["size"] == 2.0 and "0.25" in seen["walls"] and seen["faces"] == 6
     assert [seen[key] for key in ("nodes", "quads", "triangles")] == [
         report[key] for key in ("nodes", "quads", "triangles")]
     assert {"Face1", "Face6", "Edge1", "Edge12", "Layer1", "inlet"} <= set(seen["groups"])
