@@ -2,7 +2,7 @@
 import importlib.util
 import os
 
-from conftest import ROOT
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
 def test_the_page_is_up_to_date():

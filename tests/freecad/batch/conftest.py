@@ -1,15 +1,9 @@
-"""Batch jobs as a person runs them: each test starts processes of its own."""
+"""Batch jobs as a person runs them."""
 import json
-import os
-import subprocess
-import sys
-from dataclasses import dataclass
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[3]
-BATCH = str(ROOT / "App" / "advlayers_batch.py")
+from batch_runs import HOSTS, run
 
 _SHAPES = """
 import FreeCAD, Mesh, Part
@@ -33,26 +27,6 @@ document.saveAs(folder + "/two.FCStd")
 nothing = FreeCAD.newDocument("nothing")
 nothing.saveAs(folder + "/nothing.FCStd")
 """
-
-
-@dataclass
-class Ran:
-    status: int
-    stdout: str
-    stderr: str
-
-    @property
-    def lines(self):
-        return self.stderr.splitlines()
-
-
-def run(command, **options):
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          timeout=120, **options)
-    return Ran(done.returncode, done.stdout, done.stderr)
-
-
-HOSTS = {"freecadcmd": ["freecadcmd", BATCH], "python": [sys.executable, BATCH]}
 
 
 @pytest.fixture(scope="session")
@@ -88,7 +62,3 @@ def batch(request, tmp_path):
         return run(HOSTS[request.param] + list(paths), cwd="/")
     run_jobs.freecad = request.param == "freecadcmd"
     return run_jobs
-
-
-def files(folder):
-    return sorted(entry for entry in os.listdir(folder) if entry != "job.json")

@@ -3,7 +3,7 @@ import json
 
 import pytest
 
-from conftest import files
+from batch_runs import files
 
 GOOD = {"input": "box.step", "size": 5.0, "first_height": 0.5}
 

