@@ -52,7 +52,8 @@ bool middle_crowds(const LiftedTriangulation& sheet, Side s) {
   const double half2 = metric.squared(mesh.point(b) - p);
   for (const Side half : {s, mesh.opposite(s)}) {
     if (half.t < 0) continue;
-    if (metric.squared(mesh.point(mesh.apex(half)) - p) < kApexShare * kApexShare * half2) return true;
+    if (metric.squared(mesh.point(mesh.apex(half)) - p) < kApexShare * kApexShare * half2)
+      return true;
     for (int i = 0; i < 3; ++i) {
       const Side side{half.t, i};
       if (mesh.segment(side) < 0) continue;
@@ -272,7 +273,8 @@ class FrontalInsertion {
       const double length2 = candidate.metric.squared(d);
       const double cross = d.x() * w.y() - d.y() * w.x();
       const double height2 = cross * cross * candidate.metric.determinant() / length2;
-      if (height2 < kClosestToBorder * kClosestToBorder * std::max(size * size, kBorderShare * length2)) {
+      if (height2 <
+          kClosestToBorder * kClosestToBorder * std::max(size * size, kBorderShare * length2)) {
         return true;
       }
     }
@@ -318,8 +320,8 @@ double worst_deviation_cosine(LiftedTriangulation& sheet, int t) {
   return std::min(worst, cross.dot(sheet.evaluate(center).normal) / area);
 }
 
-// The free edge along which the normal turns most, of those that are long enough to matter: a short side
-// of a thin triangle is not what tilts it.
+// The free edge along which the normal turns most, of those that are long enough to matter: a short
+// side of a thin triangle is not what tilts it.
 Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
   std::array<double, 3> length2{};
   for (int i = 0; i < 3; ++i) {
@@ -332,8 +334,8 @@ Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
     const Side s{t, i};
     if (sheet.mesh().segment(s) >= 0 || length2[i] < kLongEnough * kLongEnough * longest2) continue;
     const double limit = 2 * kSmallestSplit * local_size(sheet, s);
-    const double turn = sheet.vertex(sheet.mesh().from(s)).normal.dot(
-        sheet.vertex(sheet.mesh().to(s)).normal);
+    const double turn =
+        sheet.vertex(sheet.mesh().from(s)).normal.dot(sheet.vertex(sheet.mesh().to(s)).normal);
     if (turn >= best_turn || length2[i] < limit * limit) continue;
     best_turn = turn;
     best = s;

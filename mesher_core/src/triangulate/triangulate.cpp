@@ -4,9 +4,11 @@
 #include <string>
 
 #include "boundary/patch_edges.h"
+#include "triangulate/check_deviation.h"
 #include "triangulate/constrained_delaunay.h"
 #include "triangulate/fill_sheet.h"
 #include "triangulate/glue.h"
+#include "triangulate/improve_surface.h"
 
 namespace advlayers {
 namespace {
@@ -122,8 +124,10 @@ Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
   }
   GluedMesh glued = glue_sheets(sheets, boundary);
   sheets.clear();
+  improve_surface(glued, surface, cancel);
   Triangulation result;
   result.mesh = std::move(glued.mesh);
+  result.diagnostics = check_deviation(result.mesh, surface);
   return result;
 }
 

@@ -63,10 +63,62 @@ TEST(Triangulate, MeshesACylinder) {
 }
 
 TEST(Triangulate, MeshesASphere) {
-  FaceByFace(BRepPrimAPI_MakeSphere(10).Shape(), 1.5).expect({2}, {20 * kDegree});
+  FaceByFace(BRepPrimAPI_MakeSphere(10).Shape(), 1.5).expect({2});
 }
 
 TEST(Triangulate, MeshesATorus) { FaceByFace(BRepPrimAPI_MakeTorus(10, 3).Shape(), 1).expect({0}); }
+
+TEST(Triangulate, MeshesACone) {
+  FaceByFace(BRepPrimAPI_MakeCone(10, 4, 20).Shape(), 1.5).expect({0, 1, 1});
+}
+
+TEST(Triangulate, KeepsTheApexOfACone) {
+  FaceByFace cone(BRepPrimAPI_MakeCone(10, 0, 20).Shape(), 1.5);
+  cone.expect({1, 1});
+  const Triangulation made = cone.mesh(FaceId(0));
+  const Vec3 apex(0, 0, 20);
+  int found = 0;
+  for (std::size_t i = 0; i < made.mesh.vertex_capacity(); ++i) {
+    const VertexH v(i);
+    if (!made.mesh.alive(v) || (made.mesh.position(v) - apex).norm() > 1e-9) continue;
+    ++found;
+    EXPECT_EQ(made.mesh.data(v).support, Support::kVertex);
+    EXPECT_FALSE(made.mesh.is_border(v));
+    EXPECT_TRUE(made.mesh.data(v).node.valid());
+  }
+  EXPECT_EQ(found, 1);
+}
+
+TEST(Triangulate, MeshesHalfASphere) {
+  FaceByFace(BRepPrimAPI_MakeSphere(10, 0.0, M_PI / 2).Shape(), 1.5).expect({1, 1});
+}
+
+TEST(Triangulate, MeshesAPlateWithHoles) {
+  TopoDS_Shape plate = BRepPrimAPI_MakeBox(40, 30, 2).Shape();
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const gp_Ax2 axis(gp_Pnt(5 + 10 * i, 5 + 10 * j, -1), gp_Dir(0, 0, 1));
+      plate = BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(axis, 1.0 + i, 5).Shape()).Shape();
+    }
+  }
+  FaceByFace faces(plate, 1.5);
+  ASSERT_EQ(faces.model.faces().size(), 18u);
+  std::vector<int> euler;
+  for (const Face& face : faces.model.faces()) {
+    euler.push_back(face.kind == SurfaceKind::kCylinder ? 0
+                                                        : 2 - static_cast<int>(face.loops.size()));
+  }
+  faces.expect(euler);
+}
+
+TEST(Triangulate, StopsWhenAsked) {
+  FaceByFace sphere(BRepPrimAPI_MakeSphere(10).Shape(), 1);
+  PatchSurface surface(sphere.evaluator, {FaceId(0)});
+  CancelFlag cancel;
+  cancel.request();
+  EXPECT_THROW(triangulate(surface, sphere.evaluator, sphere.cut, sphere.settings, cancel),
+               Cancelled);
+}
 
 }  // namespace
 }  // namespace advlayers

@@ -1,0 +1,16 @@
+// The last look at a triangulation: is every triangle on its side of the surface, and near enough?
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "geometry/patch_surface.h"
+#include "mesh/surface_mesh.h"
+
+namespace advlayers {
+
+// "triangulation-inverted" (error) and "triangulation-deviates" (warning), each once for every CAD
+// face that has such triangles, at the worst of them, with their number.
+std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& surface);
+
+}  // namespace advlayers

@@ -1,0 +1,126 @@
+#include "triangulate/improve_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "triangulate/surface_ops.h"
+
+namespace advlayers {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+// Moves that leave all angles above this need no gain.
+const double kGoodScore = score_of_angle(38 * kDegree);
+// Triangles below this are mended one by one.
+const double kPoorScore = score_of_angle(30 * kDegree);
+const double kFairScore = score_of_angle(22 * kDegree);
+constexpr double kTooLong = 1.5, kTooShort = 0.6;  // in wanted lengths
+constexpr int kSmoothingRounds = 2;                // before and after lengths are mended
+constexpr int kMendingRounds = 6;
+
+class Improver {
+ public:
+  Improver(GluedMesh& glued, PatchSurface& surface, const CancelFlag& cancel)
+      : mesh_(glued.mesh), ops_(glued.mesh, glued.sizes, surface), cancel_(cancel) {}
+
+  void run() {
+    flip_all();
+    for (int i = 0; i < kSmoothingRounds; ++i) smooth_and_flip();
+    mend_lengths();
+    flip_all();
+    for (int i = 0; i < kSmoothingRounds; ++i) smooth_and_flip();
+    for (int i = 0; i < kMendingRounds && mend_poor_triangles(); ++i) flip_all();
+  }
+
+ private:
+  template <class Act>
+  void for_each_halfedge(Act&& act) {
+    for (std::size_t i = 0; i < mesh_.halfedge_capacity(); i += 2) {
+      const HalfedgeH h(i);
+      if (mesh_.alive(h) && !mesh_.frozen(h)) act(h);
+    }
+  }
+
+  void flip_all() {
+    std::vector<HalfedgeH> pending;
+    for_each_halfedge([&](HalfedgeH h) { pending.push_back(h); });
+    while (!pending.empty()) {
+      const HalfedgeH h = pending.back();
+      pending.pop_back();
+      if (mesh_.frozen(h) || !ops_.flip(h)) continue;
+      cancel_.check();
+      const HalfedgeH t = SurfaceMesh::twin(h);
+      pending.insert(pending.end(), {mesh_.next(h), mesh_.prev(h), mesh_.next(t), mesh_.prev(t)});
+    }
+  }
+
+  void smooth_and_flip() {
+    for (std::size_t i = 0; i < mesh_.vertex_capacity(); ++i) {
+      const VertexH v(i);
+      if (!mesh_.alive(v) || !ops_.movable(v)) continue;
+      cancel_.check();
+      ops_.move(v, ops_.center_of_neighbours(v), kGoodScore);
+    }
+    flip_all();
+  }
+
+  void mend_lengths() {
+    for_each_halfedge([&](HalfedgeH h) {
+      cancel_.check();
+      const double relative = ops_.length(h) / ops_.wanted_length(h);
+      if (relative > kTooLong) {
+        ops_.split(h, kFairScore);
+      } else if (relative < kTooShort && !ops_.collapse(h, kPoorScore)) {
+        ops_.collapse(SurfaceMesh::twin(h), kPoorScore);
+      }
+    });
+  }
+
+  // Tries the operations on every triangle that is not good yet. False: nothing was changed.
+  bool mend_poor_triangles() {
+    bool changed = false;
+    for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
+      const FaceH f(i);
+      if (!mesh_.alive(f) || ops_.score(f) >= kPoorScore) continue;
+      cancel_.check();
+      if (mend(f)) changed = true;
+    }
+    return changed;
+  }
+
+  bool mend(FaceH f) {
+    std::array<HalfedgeH, 3> sides;
+    sides[0] = mesh_.halfedge(f);
+    sides[1] = mesh_.next(sides[0]);
+    sides[2] = mesh_.next(sides[1]);
+    std::sort(sides.begin(), sides.end(), [this](HalfedgeH a, HalfedgeH b) {
+      const double la = ops_.length(a), lb = ops_.length(b);
+      return la != lb ? la < lb : a < b;
+    });
+    for (const HalfedgeH h : sides) {
+      if (!mesh_.frozen(h) && ops_.flip(h)) return true;
+    }
+    for (const HalfedgeH h : sides) {
+      if (ops_.optimize(mesh_.from(h))) return true;
+    }
+    for (const HalfedgeH h : sides) {
+      if (mesh_.frozen(h)) continue;
+      if (ops_.collapse(h, kPoorScore) || ops_.collapse(SurfaceMesh::twin(h), kPoorScore)) {
+        return true;
+      }
+    }
+    return !mesh_.frozen(sides[2]) && ops_.split(sides[2], kPoorScore);
+  }
+
+  SurfaceMesh& mesh_;
+  SurfaceOps ops_;
+  const CancelFlag& cancel_;
+};
+
+}  // namespace
+
+void improve_surface(GluedMesh& glued, PatchSurface& surface, const CancelFlag& cancel) {
+  Improver(glued, surface, cancel).run();
+}
+
+}  // namespace advlayers

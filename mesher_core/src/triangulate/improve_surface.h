@@ -1,0 +1,15 @@
+// Improves a glued triangulation in space, on the exact surface: no length, angle or orientation is
+// taken from (u, v) any more. Borders and tips stay.
+#pragma once
+
+#include "base/cancel.h"
+#include "geometry/patch_surface.h"
+#include "triangulate/glue.h"
+
+namespace advlayers {
+
+// Flips, smooths, divides long edges and removes short ones until triangles are isotropic and
+// within the deviation bound, as far as the boundary lets them be.
+void improve_surface(GluedMesh& glued, PatchSurface& surface, const CancelFlag& cancel);
+
+}  // namespace advlayers
