@@ -155,21 +155,12 @@ class FrontalInsertion {
     return std::sqrt(3 * a * b * c / sixteen_area2) / size;
   }
 
-  // Triangles at a pole that vanish in space are done from the outset.
-  bool vanishes(int t) const {
-    for (int i = 0; i < 3; ++i) {
-      const int segment = mesh().segment({t, i});
-      if (segment >= 0 && sheet_.sheet().segments[static_cast<std::size_t>(segment)].pole)
-        return true;
-    }
-    return false;
-  }
-
   void assess(int t) {
     if (static_cast<std::size_t>(t) >= radius_.size()) {
       radius_.resize(static_cast<std::size_t>(t) + 1, 0.0);
     }
-    state(t) = vanishes(t) ? 0.0 : relative_radius(t);
+    // Triangles that are nothing in space are done from the outset.
+    state(t) = sheet_.vanishes(t) ? 0.0 : relative_radius(t);
   }
 
   bool is_open(Side s) {
@@ -367,7 +358,9 @@ void fill_sheet(LiftedTriangulation& sheet, const CancelFlag& cancel) {
   sheet.flip_all();
   split_wide_edges(sheet, cancel);
   FrontalInsertion(sheet, cancel).run();
+  sheet.straighten_poles();
   refine_deviating(sheet, cancel);
+  sheet.straighten_poles();
 }
 
 }  // namespace advlayers

@@ -48,13 +48,7 @@ class Gluer {
     const SheetSegment* on = segment(s);
     return on != nullptr && !on->inner && !on->pole;
   }
-  bool vanishes(std::size_t sheet, int t) const {
-    for (int i = 0; i < 3; ++i) {
-      const SheetSegment* on = segment({sheet, {t, i}});
-      if (on != nullptr && on->pole) return true;
-    }
-    return false;
-  }
+  bool vanishes(std::size_t sheet, int t) const { return sheets_[sheet].vanishes(t); }
 
   // --- corners of triangles, united to vertices ---
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "base/predicates.h"
+#include "triangulate/triangle_score.h"
 
 namespace advlayers {
 namespace {
@@ -12,6 +14,7 @@ namespace {
 // Sine by which two opposite angles must exceed pi together before their edge is flipped: metrics
 // differ from point to point, so that flips without a margin could go round in circles.
 constexpr double kFlipMargin = 1e-3;
+constexpr double kScoreMargin = 1e-4;
 constexpr std::size_t kFlipLimit = 500;  // after one insertion
 
 }  // namespace
@@ -28,29 +31,49 @@ LiftedTriangulation::LiftedTriangulation(FaceSheet sheet, PlanarTriangulation me
     vertices_[i] = evaluate(sheet_.points[i]);
     vertices_[i].node = sheet_.nodes[i];
   }
-  set_boundary_sizes(target);
+  set_boundary_sizes();
 }
 
-// A boundary point wants the mean length of the mesh edges beside it; a pole what the surface does.
-void LiftedTriangulation::set_boundary_sizes(const TargetSize& target) {
-  std::vector<int> edges_beside(sheet_.points.size(), 0);
+// A border point wants the mean length of the border's mesh edges beside it, a point on a seam what
+// the surface does.
+void LiftedTriangulation::set_boundary_sizes() {
+  std::unordered_map<NodeId, std::pair<double, int>> border;
   for (const SheetSegment& s : sheet_.segments) {
-    LiftedVertex &a = vertices_[static_cast<std::size_t>(s.from)],
-                 &b = vertices_[static_cast<std::size_t>(s.to)];
-    if (s.pole) {
-      a.pole = b.pole = true;
-      continue;
-    }
+    const LiftedVertex &a = vertex(s.from), &b = vertex(s.to);
+    if (s.inner || s.pole) continue;
     const double length = (b.point.xyz - a.point.xyz).norm();
-    for (const int end : {s.from, s.to}) {
-      vertices_[static_cast<std::size_t>(end)].size += length;
-      ++edges_beside[static_cast<std::size_t>(end)];
+    for (const NodeId node : {a.node, b.node}) {
+      border[node].first += length;
+      ++border[node].second;
     }
   }
-  TargetSize wanted = target;
+  for (const SheetSegment& s : sheet_.segments) {
+    if (s.pole) set_pole_sizes(s);
+  }
   for (std::size_t i = 0; i < sheet_.points.size(); ++i) {
     LiftedVertex& v = vertices_[i];
-    v.size = edges_beside[i] > 0 ? v.size / edges_beside[i] : wanted.at(v.point);
+    if (const auto found = border.find(v.node); found != border.end()) {
+      v.size = v.least = found->second.first / found->second.second;
+    } else if (!v.pole) {
+      v.size = target_.at(v.point);
+    }
+  }
+}
+
+// The curvature of a tip has no bound: asked for is what the surface wants one edge away from it.
+void LiftedTriangulation::set_pole_sizes(const SheetSegment& pole) {
+  const Vec2 &p = mesh_.point(pole.from), &q = mesh_.point(pole.to);
+  const Vec2 middle = (p + q) / 2;
+  const Vec2 inward = Vec2(-(q - p).y(), (q - p).x()).normalized();
+  const double speed = std::sqrt(evaluate(middle).metric.squared(inward));
+  double away = target_.largest();
+  if (speed > 0) away /= speed;
+  const double size = target_.at(evaluate(middle + away * inward).point);
+  for (const int end : {pole.from, pole.to}) {
+    LiftedVertex& v = vertices_[static_cast<std::size_t>(end)];
+    v.size = v.pole ? std::min(v.size, size) : size;
+    v.least = v.size;
+    v.pole = true;
   }
 }
 
@@ -65,17 +88,29 @@ LiftedVertex LiftedTriangulation::evaluate(const Vec2& p) {
   return v;
 }
 
+double LiftedTriangulation::squared_length(int a, int b) const {
+  const LiftedVertex &va = vertex(a), &vb = vertex(b);
+  const Vec2 d = mesh_.point(b) - mesh_.point(a);
+  if (va.pole || vb.pole) {
+    // Along the pole there is no length: what counts is the way across.
+    const double across = va.pole && vb.pole ? 0.0 : (va.pole ? va : vb).metric.squared(d);
+    return std::max(across, (vb.point.xyz - va.point.xyz).squaredNorm());
+  }
+  return (va.metric + vb.metric).squared(d) / 2;
+}
+
 int LiftedTriangulation::add_vertex(const Vec2& p, std::initializer_list<int> near) {
   LiftedVertex v = evaluate(p);
   const int index = mesh_.add_point(p);
-  double lower = 0, upper = std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
   vertices_.push_back(v);
   for (const int n : near) {
     const double change = kGradation * std::sqrt(squared_length(index, n));
-    lower = std::max(lower, vertex(n).size - change);
+    v.least = std::max(v.least, vertex(n).least - change);
     upper = std::min(upper, vertex(n).size + change);
   }
-  vertices_.back().size = std::min(upper, std::max(lower, target_.at(v.point)));
+  v.size = std::min(upper, std::max(v.least, target_.at(v.point)));
+  vertices_.back() = v;
   return index;
 }
 
@@ -151,6 +186,46 @@ bool LiftedTriangulation::wants_flip(Side s) const {
   const double sine = sin_c * cos_d + cos_c * sin_d;
   const double norm = std::sqrt((sin_c * sin_c + cos_c * cos_c) * (sin_d * sin_d + cos_d * cos_d));
   return sine < -kFlipMargin * norm && mesh_.flippable(s);
+}
+
+bool LiftedTriangulation::vanishes(int t) const {
+  for (int i = 0; i < 3; ++i) {
+    const int segment = mesh_.segment({t, i});
+    if (segment >= 0 && sheet_.segments[static_cast<std::size_t>(segment)].pole) return true;
+  }
+  return false;
+}
+
+double LiftedTriangulation::score(int a, int b, int c) const {
+  const auto corner_of = [this](int v) {
+    const LiftedVertex& lifted = vertex(v);
+    return Corner{lifted.point.xyz, lifted.pole ? Vec3(Vec3::Zero()) : lifted.normal};
+  };
+  return triangle_score(corner_of(a), corner_of(b), corner_of(c));
+}
+
+bool LiftedTriangulation::is_better_in_space(Side s) const {
+  const Side o = mesh_.opposite(s);
+  const int a = mesh_.from(s), b = mesh_.to(s), c = mesh_.apex(s), d = mesh_.apex(o);
+  if (!vertex(a).pole && !vertex(b).pole && !vertex(c).pole && !vertex(d).pole) return false;
+  if (vanishes(s.t) || vanishes(o.t) || !mesh_.flippable(s)) return false;
+  const double before = std::min(score(a, b, c), score(b, a, d));
+  return std::min(score(d, c, a), score(c, d, b)) > before + kScoreMargin;
+}
+
+void LiftedTriangulation::straighten_poles() {
+  pending_.clear();
+  for (int t = 0; t < mesh_.triangle_count(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      if (vertex(mesh_.triangle(t).v[i]).pole) {
+        pending_.insert(pending_.end(), {{t, 0}, {t, 1}, {t, 2}});
+        break;
+      }
+    }
+  }
+  const std::size_t limit = 10 * pending_.size() + kFlipLimit;
+  mesh_.restore(pending_, limit, [this](Side s) { return is_better_in_space(s); });
+  for (unsigned& version : versions_) ++version;
 }
 
 void LiftedTriangulation::flip_all() {

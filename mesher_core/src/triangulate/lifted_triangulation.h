@@ -30,8 +30,9 @@ struct LiftedVertex {
   SurfacePoint point;
   Vec3 normal;
   Metric metric;
-  double size = 0;  // wanted edge length [mm], graded
-  NodeId node;      // on the face's boundary
+  double size = 0;   // wanted edge length [mm], graded
+  double least = 0;  // what a long border nearby makes of it, however curved the surface [mm]
+  NodeId node;       // on the face's boundary
   bool pole = false;
 };
 
@@ -51,9 +52,7 @@ class LiftedTriangulation {
   unsigned version(int t) const { return versions_[static_cast<std::size_t>(t)]; }
   const std::vector<int>& touched() const { return touched_; }  // by the last insertion
 
-  double squared_length(int a, int b) const {
-    return (vertex(a).metric + vertex(b).metric).squared(mesh_.point(b) - mesh_.point(a)) / 2;
-  }
+  double squared_length(int a, int b) const;
 
   LiftedVertex evaluate(const Vec2& p);
 
@@ -65,13 +64,21 @@ class LiftedTriangulation {
 
   // Flips every edge that is not Delaunay in the metric.
   void flip_all();
+  // Flips edges about poles by what the triangles are in space: seen from the pole, their
+  // far sides must go round in order, which the sheet does not tell.
+  void straighten_poles();
+  // Whether t is nothing in space: one of its sides is a pole.
+  bool vanishes(int t) const;
 
  private:
   int add_vertex(const Vec2& p, std::initializer_list<int> near);
   void settle(int v);
   void touch(int t);
   bool wants_flip(Side s) const;
-  void set_boundary_sizes(const TargetSize& target);
+  bool is_better_in_space(Side s) const;
+  double score(int a, int b, int c) const;
+  void set_boundary_sizes();
+  void set_pole_sizes(const SheetSegment& pole);
 
   FaceSheet sheet_;
   PlanarTriangulation mesh_;

@@ -17,6 +17,8 @@ class TargetSize {
   // fixed share of `size`, so that tips and creases of no radius do not ask for endless refinement.
   double at(const SurfacePoint& p);
 
+  double largest() const { return size_; }
+
  private:
   Evaluator* evaluator_;
   double size_;
