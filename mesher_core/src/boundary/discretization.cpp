@@ -14,6 +14,8 @@ namespace {
 // longer is to begin with kJump times the shorter, which its own growth then brings to kMaxJump.
 constexpr double kMaxJump = 1.5;
 constexpr double kJump = 1.25;
+// An even edge takes the fewest segments that are no longer than this many times the size.
+constexpr double kSizeTolerance = 1.1;
 constexpr int kMaxRounds = 200;
 // Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
 constexpr double kNormalAngle = M_PI / 6.0;
@@ -33,7 +35,7 @@ class Discretizer {
   Discretizer(Evaluator& evaluator, const Settings& settings)
       : evaluator_(evaluator),
         model_(evaluator.model()),
-        limits_{settings.size, settings.curvature_angle * M_PI / 180.0, 0.0},
+        limits_{kSizeTolerance * settings.size, settings.curvature_angle * M_PI / 180.0, 0.0},
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
     choose_faces(settings);

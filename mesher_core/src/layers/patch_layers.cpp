@@ -93,4 +93,15 @@ void PatchLayers::set_step_hook(StepHook hook) { impl_->hook = std::move(hook); 
 const std::vector<Diagnostic>& PatchLayers::diagnostics() const { return impl_->state.diagnostics; }
 const std::vector<StopRecord>& PatchLayers::stops() const { return impl_->state.stops; }
 
+void thaw_core_edges(SurfaceMesh& mesh) {
+  const auto in_core = [&](HalfedgeH h) {
+    return !mesh.is_border(h) && mesh.is_triangle(h) && mesh.data(mesh.face(h)).layer == 0;
+  };
+  for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
+    const HalfedgeH h(i);
+    if (!mesh.alive(h) || !mesh.frozen(h)) continue;
+    if (in_core(h) && in_core(SurfaceMesh::twin(h))) mesh.set_frozen(h, false);
+  }
+}
+
 }  // namespace advlayers

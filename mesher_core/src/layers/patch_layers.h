@@ -86,4 +86,8 @@ class PatchLayers {
   std::unique_ptr<Impl> impl_;
 };
 
+// Frees the edges that have core on both sides: rungs across gaps that were never zipped. Called
+// when the layers have ended, so that the core may be reconnected across them.
+void thaw_core_edges(SurfaceMesh& mesh);
+
 }  // namespace advlayers

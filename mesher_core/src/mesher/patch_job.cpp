@@ -138,6 +138,7 @@ void PatchJob::end_layers() {
   diagnostics_.insert(diagnostics_.end(), told.begin(), told.end());
   stops_ = layers_->stops();
   layers_.reset();
+  thaw_core_edges(mesh_);
 }
 
 void PatchJob::finish(const CancelFlag& cancel) {

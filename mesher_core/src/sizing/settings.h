@@ -23,7 +23,7 @@ struct WallSpec {
 };
 
 struct Settings {
-  double size = 0.0;          // target edge length [mm]
+  double size = 0.0;          // target edge length [mm]; a segment may be a tenth longer
   double first_height = 0.0;  // [mm]
   double growth = 1.2;
   EndOfGrowth end = EndOfGrowth::kFrontsClose;
