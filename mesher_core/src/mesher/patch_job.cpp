@@ -55,14 +55,14 @@ PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
   for (const FaceId face : faces_) {
     const std::string& defect = model.face(face).defect;
     if (defect.empty()) continue;
-    complain("face-defect", face_name(face) + " is not meshed: " + defect);
+    complain(Severity::kError, "face-defect", face_name(face) + " is not meshed: " + defect);
     defective_ = true;
   }
 }
 
-void PatchJob::complain(const char* code, const std::string& text) {
+void PatchJob::complain(Severity severity, const char* code, const std::string& text) {
   Diagnostic diagnostic;
-  diagnostic.severity = Severity::kError;
+  diagnostic.severity = severity;
   diagnostic.code = code;
   diagnostic.patch = id_;
   diagnostic.layer = report_.layers;
@@ -83,7 +83,8 @@ bool PatchJob::guard(const char* code, const Stage& stage) {
   } catch (const std::exception& error) {
     const std::string name = patch_name(faces_);
     const std::string what = error.what();
-    complain(code, what.find(name) == std::string::npos ? name + ": " + what : what);
+    complain(Severity::kError, code,
+             what.find(name) == std::string::npos ? name + ": " + what : what);
     return false;
   }
 }
@@ -95,6 +96,10 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
   std::vector<EdgeId> coarse;
   meshed_ = guard("face-not-meshed", [&] {
     walls_ = plan_walls(evaluator_, *settings_, faces_);
+    if (walls_.edges.empty()) {
+      complain(Severity::kInfo, "no-boundary",
+               patch_name(faces_) + " has no boundary edge that layers could grow from");
+    }
     try {
       Triangulation made =
           advlayers::triangulate(surface_, evaluator_, boundary, *settings_, cancel);
@@ -157,6 +162,9 @@ void PatchJob::measure() {
   guard("not-measured", [&] {
     count_elements();
     wall_reports_ = measure_walls(mesh_, surface_, walls_, stops_, report_.layers);
+    for (WallReport& wall : wall_reports_) {
+      wall.face = face_beside(evaluator_.model(), faces_, wall.edge);
+    }
   });
 }
 

@@ -49,7 +49,7 @@ class PatchJob {
  private:
   template <class Stage>
   bool guard(const char* code, const Stage& stage);
-  void complain(const char* code, const std::string& text);
+  void complain(Severity severity, const char* code, const std::string& text);
   void end_layers();
   void count_elements();
 

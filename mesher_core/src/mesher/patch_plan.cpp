@@ -1,7 +1,9 @@
 #include "mesher/patch_plan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <unordered_set>
 
 #include "boundary/patch_edges.h"
@@ -38,16 +40,24 @@ EdgePlan wall_by(const Settings& settings) {
   return plan;
 }
 
-bool concerns(const WallSpec& spec, const std::vector<FaceId>& faces) {
-  return spec.faces.empty() || std::any_of(faces.begin(), faces.end(), [&spec](FaceId face) {
-           return std::find(spec.faces.begin(), spec.faces.end(), face) != spec.faces.end();
-         });
+bool contains(const std::vector<FaceId>& faces, FaceId face) {
+  return std::find(faces.begin(), faces.end(), face) != faces.end();
 }
 
-void apply_spec(const WallSpec& spec, const Settings& settings, const EdgeSet& boundary,
-                WallPlan& walls) {
+// Whether the wall is asked for on a side of the edge that belongs to the patch.
+bool concerns(const WallSpec& spec, const Model& model, const std::vector<FaceId>& faces,
+              EdgeId edge) {
+  if (spec.faces.empty()) return true;
+  const auto& sides = model.edge(edge).faces;
+  return std::any_of(sides.begin(), sides.end(), [&](FaceId face) {
+    return contains(faces, face) && contains(spec.faces, face);
+  });
+}
+
+void apply_spec(const WallSpec& spec, const Settings& settings, const Model& model,
+                const std::vector<FaceId>& faces, WallPlan& walls) {
   for (const EdgeId edge : spec.edges) {
-    if (boundary.count(edge) == 0) continue;
+    if (walls.edges.count(edge) == 0 || !concerns(spec, model, faces, edge)) continue;
     EdgePlan plan = wall_by(settings);
     if (spec.first_height) plan.first_height = *spec.first_height;
     if (spec.growth) plan.growth = *spec.growth;
@@ -83,9 +93,34 @@ std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings&
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  std::vector<std::vector<FaceId>> patches;
-  for (const FaceId face : faces) patches.push_back({face});
-  return patches;
+  std::vector<FaceId> sound;
+  std::copy_if(faces.begin(), faces.end(), std::back_inserter(sound),
+               [&model](FaceId face) { return model.face(face).defect.empty(); });
+  std::vector<FaceId> leader(model.faces().size());  // of the face's patch: its first face
+  for (const FaceId face : faces) leader[face.index()] = face;
+  const auto leader_of = [&leader](FaceId face) {
+    while (leader[face.index()] != face) face = leader[face.index()];
+    return face;
+  };
+  Evaluator evaluator(model);
+  for (const EdgeId edge : inner_edges(evaluator, sound, settings.feature_angle)) {
+    const auto& sides = model.edge(edge).faces;
+    if (sides.size() != 2) continue;
+    const auto [first, second] = std::minmax({leader_of(sides[0]), leader_of(sides[1])});
+    leader[second.index()] = first;
+  }
+  std::map<FaceId, std::vector<FaceId>> patches;
+  for (const FaceId face : faces) patches[leader_of(face)].push_back(face);
+  std::vector<std::vector<FaceId>> groups;
+  for (auto& [first, group] : patches) groups.push_back(std::move(group));
+  return groups;
+}
+
+FaceId face_beside(const Model& model, const std::vector<FaceId>& faces, EdgeId edge) {
+  for (const FaceId face : model.edge(edge).faces) {
+    if (contains(faces, face)) return face;
+  }
+  return faces.front();
 }
 
 WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
@@ -93,12 +128,11 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
   WallPlan walls;
   walls.stop_at_isotropy = settings.end == EndOfGrowth::kIsotropic;
   walls.max_height = settings.size;
-  const EdgeSet boundary = boundary_edges(evaluator, settings, faces);
-  for (const EdgeId edge : boundary) {
+  for (const EdgeId edge : boundary_edges(evaluator, settings, faces)) {
     walls.edges[edge] = settings.walls_all ? wall_by(settings) : EdgePlan();
   }
   for (const WallSpec& spec : settings.walls) {
-    if (concerns(spec, faces)) apply_spec(spec, settings, boundary, walls);
+    apply_spec(spec, settings, evaluator.model(), faces, walls);
   }
   const auto override_with = [&walls](const std::vector<EdgeId>& edges, EdgeCondition condition) {
     for (const EdgeId edge : edges) {

@@ -11,13 +11,16 @@
 
 namespace advlayers {
 
-// The faces of each patch, in rising order; patches by their first face. Every face asked for is
-// in exactly one.
+// The faces of each patch, in rising order; patches by their first face. Faces that meet smoothly
+// are one patch; every face asked for is in exactly one, and one with a defect is alone.
 std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings& settings);
 
 // What grows from each edge that bounds the patch. Throws GeometryError.
 WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
                     const std::vector<FaceId>& faces);
+
+// The face of the patch that an edge of its boundary belongs to, the first of several.
+FaceId face_beside(const Model& model, const std::vector<FaceId>& faces, EdgeId edge);
 
 // "Face3", or "Face3 and 4 more" for a patch of several.
 std::string patch_name(const std::vector<FaceId>& faces);

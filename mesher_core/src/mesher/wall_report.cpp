@@ -170,7 +170,6 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
   for (const auto& [edge, wall] : walls) {
     WallReport report;
     report.edge = edge;
-    report.face = surface.faces().front();
     report.first_height = plan.edges.at(edge).first_height;
     report.growth = plan.edges.at(edge).growth;
     summarize(wall.samples, report);

@@ -10,10 +10,10 @@
 
 namespace advlayers {
 
-// One report per wall edge of the patch, by edge. Heights are arc lengths on the surface of the
-// parent-kid edges, over regular wall vertices: one kid, and a wall that turns less than 20
-// degrees there and within two edges on either side; over the straight ones, or all, with one kid
-// where none is regular.
+// One report per wall edge of the patch, by edge, without its face. Heights are arc lengths on the
+// surface of the parent-kid edges, over regular wall vertices: one kid, and a wall that turns less
+// than 20 degrees there and within two edges on either side; over the straight ones, or all, with
+// one kid where none is regular.
 //
 // `layers` are complete along the whole edge: made on every column but those that met another
 // front or column (closed, merged), where there was no room for more.

@@ -2,6 +2,7 @@
 
 #include "quality/core_flips.h"
 #include "quality/core_region.h"
+#include "quality/core_splits.h"
 #include "quality/star_smoothing.h"
 
 namespace advlayers {
@@ -13,6 +14,7 @@ constexpr int kSweepsPerRound = 3;
 }  // namespace
 
 void improve_core(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
+  if (split_bent_edges(mesh, surface, cancel) > 0) flip_core(mesh, cancel);
   const std::vector<VertexH> free = free_vertices(mesh);
   for (int round = 0; round < kRounds; ++round) {
     flip_core(mesh, cancel);

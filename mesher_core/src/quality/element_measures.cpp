@@ -7,6 +7,8 @@ namespace advlayers {
 namespace {
 
 constexpr double kDegreesPerRadian = 57.295779513082320877;
+// Cosine of the furthest that a quad may lean from the surface at one of its corners.
+constexpr double kLeastLean = 0.25;
 
 }  // namespace
 
@@ -63,6 +65,17 @@ double right_angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
   }
   const double cosine = std::sqrt(worst);
   return folded ? -1.0 - cosine : 1.0 - cosine;
+}
+
+double quad_quality(const SurfaceMesh& mesh, VertexH a, VertexH b, VertexH c, VertexH d) {
+  const Vec3 &pa = mesh.position(a), &pb = mesh.position(b);
+  const Vec3 &pc = mesh.position(c), &pd = mesh.position(d);
+  const Vec3 area = (pc - pa).cross(pd - pb);
+  const double least = kLeastLean * area.norm();
+  for (const VertexH v : {a, b, c, d}) {
+    if (mesh.data(v).normal.dot(area) <= least) return -1.0;
+  }
+  return right_angle_quality(pa, pb, pc, pd, area);
 }
 
 double min_angle_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {

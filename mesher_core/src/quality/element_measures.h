@@ -33,6 +33,10 @@ std::array<double, 4> interior_angles(const ElementCorners& element);
 double right_angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                            const Vec3& normal);
 
+// The right-angle quality of the quad that four vertices make, against its own normal; negative
+// also where it leans so far from the surface at a corner that it may not lie on it at all.
+double quad_quality(const SurfaceMesh& mesh, VertexH a, VertexH b, VertexH c, VertexH d);
+
 // The sine of the smallest angle of a triangle; negative where it turns against `normal`.
 double min_angle_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal);
 

@@ -25,15 +25,9 @@ struct Candidates {
   std::vector<FaceH> face;  // by node of the pair graph
 };
 
-Vec3 mean_normal(const SurfaceMesh& mesh, HalfedgeH h) {
-  return mesh.data(mesh.from(h)).normal + mesh.data(mesh.to(h)).normal;
-}
-
 double pair_quality(const SurfaceMesh& mesh, HalfedgeH h) {
-  const HalfedgeH t = SurfaceMesh::twin(h);
-  return right_angle_quality(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(t))),
-                             mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h))),
-                             mean_normal(mesh, h));
+  return quad_quality(mesh, mesh.from(h), mesh.to(mesh.next(SurfaceMesh::twin(h))), mesh.to(h),
+                      mesh.to(mesh.next(h)));
 }
 
 Candidates find_candidates(const SurfaceMesh& mesh) {

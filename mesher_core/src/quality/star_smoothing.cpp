@@ -161,19 +161,27 @@ bool find_minimum(const Star& star, Vec2& place) {
   return place.norm() > kLeastMove * star.mean_side;
 }
 
-// True where every face about the vertex turns the right way round at its corners.
+// True where every face about the vertex stays on the surface's outer side, and turns the same way
+// at each of its corners.
 bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place) {
   const Vec3& normal = mesh.data(v).normal;
   const HalfedgeH first = mesh.outgoing(v);
   HalfedgeH h = first;
   do {
-    const Vec3 b = mesh.position(mesh.to(h)) - place;
-    const Vec3 d = mesh.position(mesh.from(mesh.prev(h))) - place;
-    const Vec3 bc = mesh.position(mesh.to(mesh.next(h))) - mesh.position(mesh.to(h));
-    if (b.cross(d).dot(normal) <= 0.0 || b.cross(bc).dot(normal) <= 0.0) return false;
-    const Vec3 cd =
-        mesh.position(mesh.from(mesh.prev(h))) - mesh.position(mesh.from(mesh.prev(mesh.prev(h))));
-    if (cd.cross(-d).dot(normal) <= 0.0) return false;
+    const HalfedgeH last = mesh.prev(h);
+    const Vec3& at_b = mesh.position(mesh.to(h));
+    const Vec3& at_d = mesh.position(mesh.from(last));
+    const Vec3& after_b = mesh.position(mesh.to(mesh.next(h)));
+    const Vec3& before_d = mesh.position(mesh.from(mesh.prev(last)));
+    const Vec3 b = at_b - place, d = at_d - place;
+    // For a triangle after_b is d, and this is its own normal; for a quad it is its area's.
+    const Vec3 area = mesh.is_triangle(h) ? b.cross(d) : (after_b - place).cross(at_d - at_b);
+    if (area.dot(normal) <= 0.0 || b.cross(d).dot(area) <= 0.0) return false;
+    if (b.cross(after_b - at_b).dot(area) <= 0.0) return false;
+    if ((at_d - before_d).cross(-d).dot(area) <= 0.0) return false;
+    if (!mesh.is_triangle(h) && (after_b - at_b).cross(at_d - after_b).dot(area) <= 0.0) {
+      return false;
+    }
     h = mesh.rotate_ccw(h);
   } while (h != first);
   return true;

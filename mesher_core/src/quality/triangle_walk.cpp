@@ -42,7 +42,6 @@ class Walker {
   void trace_route(FaceH start, FaceH goal);
   void plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Plan& best) const;
   bool carry_out(const Plan& plan);
-  double quad_quality(VertexH a, VertexH b, VertexH c, VertexH d) const;
   double triangle_quality(VertexH a, VertexH b, VertexH c) const;
 
   SurfaceMesh& mesh_;
@@ -52,12 +51,6 @@ class Walker {
 };
 
 VertexH apex(const SurfaceMesh& mesh, HalfedgeH h) { return mesh.to(mesh.next(h)); }
-
-double Walker::quad_quality(VertexH a, VertexH b, VertexH c, VertexH d) const {
-  const Vec3 normal = mesh_.data(a).normal + mesh_.data(c).normal;
-  return right_angle_quality(mesh_.position(a), mesh_.position(b), mesh_.position(c),
-                             mesh_.position(d), normal);
-}
 
 double Walker::triangle_quality(VertexH a, VertexH b, VertexH c) const {
   return min_angle_sine(mesh_.position(a), mesh_.position(b), mesh_.position(c),
@@ -136,7 +129,7 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
   if (worst <= best.worst) return;
   const HalfedgeH leaving = route_[step];
   if (step + 1 == route_.size()) {
-    const double last = quad_quality(p, mesh_.from(leaving),
+    const double last = quad_quality(mesh_, p, mesh_.from(leaving),
                                      apex(mesh_, SurfaceMesh::twin(leaving)), mesh_.to(leaving));
     if (last < kLeastQuad || std::min(worst, last) <= best.worst) return;
     best = plan;
@@ -149,7 +142,7 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
     const auto& [t0, t1, t2] = halves.triangle;
     if (triangle_quality(t0, t1, t2) < kLeastTriangle) continue;
     const double quad =
-        quad_quality(halves.quad[0], halves.quad[1], halves.quad[2], halves.quad[3]);
+        quad_quality(mesh_, halves.quad[0], halves.quad[1], halves.quad[2], halves.quad[3]);
     if (quad < kLeastQuad) continue;
     const VertexH from = mesh_.from(route_[step + 1]), to = mesh_.to(route_[step + 1]);
     VertexH third = t0;

@@ -1,8 +1,11 @@
 #include "mesher/patch_plan.h"
 
 #include <gtest/gtest.h>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 
 #include <limits>
 
@@ -72,6 +75,31 @@ TEST_F(BoxWalls, FacesAreGroupedOnceAndInOrder) {
   ASSERT_EQ(patches.size(), 2u);
   EXPECT_EQ(patches[0], (std::vector<FaceId>{FaceId(1)}));
   EXPECT_EQ(patches[1], (std::vector<FaceId>{FaceId(4)}));
+}
+
+// A box with one rounded edge: the round meets its two neighbours smoothly, and the ends at right
+// angles.
+TEST(PatchPlan, FacesThatMeetSmoothlyAreOnePatch) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 5, 6).Shape();
+  BRepFilletAPI_MakeFillet round(box);
+  round.Add(1.0, TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current()));
+  const Model model = model_of(round.Shape());
+  ASSERT_EQ(model.faces().size(), 7u);
+  Settings settings;
+  settings.size = 1.0;
+  settings.first_height = 0.1;
+  const auto patches = group_faces(model, settings);
+  ASSERT_EQ(patches.size(), 5u);
+  std::size_t largest = 0;
+  for (const auto& faces : patches) {
+    largest = std::max(largest, faces.size());
+    EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
+  }
+  EXPECT_EQ(largest, 3u);
+  settings.feature_angle = 0.0;
+  EXPECT_EQ(group_faces(model, settings).size(), 7u);
+  settings.feature_angle = 100.0;
+  EXPECT_EQ(group_faces(model, settings).size(), 1u);
 }
 
 TEST(PatchPlan, ASeamIsNoWall) {
