@@ -2,17 +2,25 @@
 #include <BRep_Builder.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_CheckIterator.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <sstream>
 
+#include "geometry/brep_text.h"
 #include "geometry/occt_shape.h"
 
 namespace advlayers {
@@ -39,6 +47,19 @@ class QuietMessenger {
   Message_SequenceOfPrinters printers_;
 };
 
+// Lengths come out in mm, whatever another add-on has set; its setting is put back.
+class Millimetres {
+ public:
+  Millimetres() : before_(Interface_Static::CVal(kUnit)) { Interface_Static::SetCVal(kUnit, "MM"); }
+  ~Millimetres() { Interface_Static::SetCVal(kUnit, before_.c_str()); }
+  Millimetres(const Millimetres&) = delete;
+  Millimetres& operator=(const Millimetres&) = delete;
+
+ private:
+  static constexpr const char* kUnit = "xstep.cascade.unit";
+  std::string before_;
+};
+
 std::string ending_of(const std::string& path) {
   const std::size_t dot = path.find_last_of('.');
   const std::size_t slash = path.find_last_of("/\\");
@@ -50,9 +71,8 @@ std::string ending_of(const std::string& path) {
 }
 
 TopoDS_Shape parse_brep(const std::string& text) {
+  check_brep_text(text);
   TopoDS_Shape shape;
-  // The reader skips to the version line, to the end of the text where there is none.
-  if (text.find("CASCADE Topology V") == std::string::npos) return shape;
   std::istringstream stream(text);
   BRep_Builder builder;
   const std::lock_guard<std::mutex> lock(reader_mutex());
@@ -65,28 +85,89 @@ TopoDS_Shape parse_brep(const std::string& text) {
   return shape;
 }
 
-template <class Reader>
-TopoDS_Shape transfer(Reader& reader, const std::string& path) {
+// Runs the reader; `check` looks at what was loaded before it is turned into a shape.
+template <class Reader, class Check>
+TopoDS_Shape transfer(Reader& reader, const std::string& path, Check&& check) {
   const std::lock_guard<std::mutex> lock(reader_mutex());
   const QuietMessenger quiet;
-  // Lengths come out in mm, whatever the file says and another add-on has set.
-  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  const Millimetres millimetres;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) return {};
+  check(reader);
   reader.TransferRoots();
   return reader.OneShape();
+}
+
+// The translator follows references that did not resolve into a crash. Faults elsewhere, in
+// annotations and the like, cost nothing.
+void refuse_damaged_geometry(STEPControl_Reader& reader, const std::string& path) {
+  const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
+  Interface_CheckIterator checks = reader.WS()->ModelCheckList(Standard_False);
+  for (checks.Start(); checks.More(); checks.Next()) {
+    const Handle(Interface_Check)& fault = checks.Value();
+    if (fault->NbFails() == 0 || checks.Number() < 1 || checks.Number() > model->NbEntities()) {
+      continue;
+    }
+    const Handle(Standard_Transient) entity = model->Value(checks.Number());
+    const std::string type = entity->DynamicType()->Name();
+    if (type.rfind("StepGeom_", 0) != 0 && type.rfind("StepShape_", 0) != 0) continue;
+    throw InvalidInput(path +
+                       ": the STEP file is damaged: " + model->StringLabel(entity)->ToCString() +
+                       " " + type.substr(type.find('_') + 1) + ": " + fault->CFail(1));
+  }
 }
 
 TopoDS_Shape read_step(const std::string& path) {
   STEPControl_Controller::Init();
   STEPControl_Reader reader;
-  return transfer(reader, path);
+  return transfer(reader, path,
+                  [&](STEPControl_Reader& loaded) { refuse_damaged_geometry(loaded, path); });
 }
 
-TopoDS_Shape read_iges(const std::string& path) {
+// The last line of a file of fixed-length records counts the records of each section, by the letter
+// in column 73: the reader crashes on one that was cut off.
+void refuse_cut_off_iges(const std::string& text, const std::string& path) {
+  constexpr std::size_t kLetter = 72;
+  std::istringstream lines(text);
+  std::map<char, int> counted;
+  std::string line, last;
+  while (std::getline(lines, line)) {
+    if (line.size() <= kLetter) continue;
+    ++counted[line[kLetter]];
+    if (line[kLetter] == 'T') last = line;
+  }
+  if (counted.count('C') != 0) return;  // the compressed form has no fixed records
+  bool whole = !last.empty();
+  for (std::size_t field = 0; whole && field < 4; ++field) {
+    const int promised = std::atoi(last.substr(8 * field + 1, 7).c_str());
+    whole = promised <= counted[last[8 * field]];
+  }
+  if (!whole) throw InvalidInput(path + ": the IGES file is cut off, or is none");
+}
+
+TopoDS_Shape read_iges(const std::string& path, const std::string& text) {
+  refuse_cut_off_iges(text, path);
   IGESControl_Controller::Init();
   IGESControl_Reader reader;
   reader.SetReadVisible(Standard_True);  // construction geometry stays out, as in FreeCAD
-  return transfer(reader, path);
+  return transfer(reader, path, [](IGESControl_Reader&) {});
+}
+
+// A translator that fails leaves no shape: the file's fault, not that of a shape in it.
+template <class Read>
+TopoDS_Shape read_exchange(const std::string& path, Read&& read) {
+  try {
+    return translated(path.c_str(), read);
+  } catch (const GeometryError& error) {
+    throw InvalidInput(error.what());
+  }
+}
+
+TopoDS_Shape parse_brep_file(const std::string& text, const std::string& path) {
+  try {
+    return parse_brep(text);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(path + ": " + error.what());
+  }
 }
 
 Model model_of(const TopoDS_Shape& root) {
@@ -114,12 +195,13 @@ Model read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InvalidInput(path + ": the file cannot be opened");
   TopoDS_Shape root;
-  if (brep) {
+  if (step) {
+    root = read_exchange(path, [&] { return read_step(path); });
+  } else {
     std::ostringstream text;
     text << file.rdbuf();
-    root = parse_brep(text.str());
-  } else {
-    root = translated(path.c_str(), [&] { return step ? read_step(path) : read_iges(path); });
+    root = brep ? parse_brep_file(text.str(), path)
+                : read_exchange(path, [&] { return read_iges(path, text.str()); });
   }
   if (root.IsNull()) {
     throw InvalidInput(path + ": no shape could be read, it is no " +
