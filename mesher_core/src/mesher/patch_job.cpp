@@ -48,7 +48,7 @@ PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
       faces_(std::move(faces)),
       settings_(&settings),
       evaluator_(model),
-      surface_(evaluator_, faces_) {
+      surface_(evaluator_, faces_, settings.feature_angle) {
   for (const FaceId face : faces_) area_ += model.face(face).area;
   report_.patch = id;
   report_.faces = faces_;
@@ -161,6 +161,7 @@ void PatchJob::measure() {
   if (!meshed_) return;
   guard("not-measured", [&] {
     count_elements();
+    judge_inverted();
     wall_reports_ = measure_walls(mesh_, surface_, walls_, stops_, report_.layers);
     for (WallReport& wall : wall_reports_) {
       wall.face = face_beside(evaluator_.model(), faces_, wall.edge);
@@ -170,14 +171,33 @@ void PatchJob::measure() {
 
 void PatchJob::count_elements() {
   counts_ = FigureCounts();
+  inverted_.clear();
   report_.quads = report_.triangles = 0;
   for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
     const FaceH f(i);
     if (!mesh_.alive(f)) continue;
     const ElementCorners element = corners_of(mesh_, f);
     counts_.add(element, mesh_.data(f).layer);
-    if (is_inverted(mesh_, f, element, surface_)) counts_.add_inverted();
+    if (is_inverted(mesh_, f, element, surface_)) {
+      counts_.add_inverted();
+      inverted_.push_back(f);
+    }
     ++(element.count == 4 ? report_.quads : report_.triangles);
+  }
+}
+
+// What was turned over in the triangulation may be mended by now: the finished mesh decides.
+void PatchJob::judge_inverted() {
+  for (Diagnostic& diagnostic : diagnostics_) {
+    if (diagnostic.code == "triangulation-inverted") diagnostic.severity = Severity::kInfo;
+  }
+  std::map<FaceId, std::vector<FaceH>> by_face;
+  for (const FaceH f : inverted_) by_face[face_of(f)].push_back(f);
+  for (const auto& [face, elements] : by_face) {
+    complain(Severity::kError, "inverted-elements",
+             face_name(face) + ": " + std::to_string(elements.size()) +
+                 " elements are turned over against the surface");
+    diagnostics_.back().point = centroid(corners_of(mesh_, elements.front()));
   }
 }
 

@@ -52,6 +52,7 @@ class PatchJob {
   void complain(Severity severity, const char* code, const std::string& text);
   void end_layers();
   void count_elements();
+  void judge_inverted();
 
   PatchId id_;
   std::vector<FaceId> faces_;
@@ -68,6 +69,7 @@ class PatchJob {
   PatchReport report_;
   std::vector<WallReport> wall_reports_;
   FigureCounts counts_;
+  std::vector<FaceH> inverted_;
   std::vector<StopRecord> stops_;
   std::vector<Diagnostic> diagnostics_;
 };
