@@ -31,7 +31,8 @@ class _Progress:
     def __init__(self, terminal, name: str) -> None:
         self._terminal = terminal if terminal.isatty() else None
         self._name = name
-        self._start = self._last = time.monotonic()
+        self._start = time.monotonic()
+        self._last = 0.0 if self._terminal else self._start
         self._layers = self._quads = self._triangles = 0
         self._patches = set()
 

@@ -15,12 +15,13 @@ SECONDS = ("read", "boundary", "triangulate", "layers", "core", "mesh_object", "
 HEIGHT_TOLERANCE = 0.1
 
 
-def make_report(input_name: str, mesh, notes: List[Dict[str, Any]],
-                seconds: Mapping[str, float]) -> Dict[str, Any]:
+def make_report(input_name: str, mesh, settings: Mapping[str, Any],
+                notes: List[Dict[str, Any]], seconds: Mapping[str, float]) -> Dict[str, Any]:
     report: Dict[str, Any] = {"version": advlayers.__version__, "input": input_name}
     report.update((key, mesh.figures[key]) for key in FIGURES)
     report["patches"] = list(mesh.patches)
-    report["walls"] = list(mesh.walls)
+    report["walls"] = [{**wall, "requested_layers": _layers_asked(wall, settings)}
+                       for wall in mesh.walls]
     report["diagnostics"] = list(notes) + list(mesh.diagnostics)
     report["seconds"] = {key: round(seconds.get(key, 0.0), 6) for key in SECONDS}
     return report
@@ -36,14 +37,14 @@ def has_error(report: Mapping[str, Any]) -> bool:
     return any(entry["severity"] == "error" for entry in report["diagnostics"])
 
 
-def shortfalls(report: Mapping[str, Any], settings: Mapping[str, Any]) -> List[Dict[str, Any]]:
+def shortfalls(report: Mapping[str, Any]) -> List[Dict[str, Any]]:
     """An error-level diagnostic for each wall that got fewer layers than asked for, or layers of
     another first height."""
     found = []
     for wall in report["walls"]:
         name = f"{wall['edge']} on {wall['face']}"
-        wanted = _layers_asked(wall, settings)
-        if wanted and wall["layers"] < wanted:
+        wanted = wall["requested_layers"]
+        if isinstance(wanted, int) and wall["layers"] < wanted:
             found.append(_shortfall(f"{name} got {wall['layers']} of {wanted} layers"))
         mean = wall["achieved_first_height"]["mean"]
         if abs(mean - wall["first_height"]) > HEIGHT_TOLERANCE * wall["first_height"]:
@@ -52,14 +53,15 @@ def shortfalls(report: Mapping[str, Any], settings: Mapping[str, Any]) -> List[D
     return found
 
 
-def _layers_asked(wall: Mapping[str, Any], settings: Mapping[str, Any]) -> int:
+def _layers_asked(wall: Mapping[str, Any], settings: Mapping[str, Any]):
+    """As the job has it: a number, 0 until the fronts close, or "isotropic"."""
     layers = settings["layers"]
     if settings["walls"] != "all":
         for spec in settings["walls"]:
             on_face = not spec["faces"] or wall["face"] in spec["faces"]
             if wall["edge"] in spec["edges"] and on_face and spec["layers"] is not None:
                 layers = spec["layers"]
-    return layers if isinstance(layers, int) else 0
+    return layers
 
 
 def _shortfall(text: str) -> Dict[str, Any]:

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# chroot.sh 1.0|1.1: the Python and FreeCAD tests against a later FreeCAD, in a Debian of its own
-# (13 carries 1.0, the one after it 1.1). Needs root, 3 to 5 GB of disk, and Debian's mirror.
+# chroot.sh 0.20|1.0|1.1: the Python and FreeCAD tests against that FreeCAD, in a Debian of its own
+# that starts with nothing installed (12 carries 0.20, 13 carries 1.0, the one after it 1.1).
+# Needs root, 3 to 5 GB of disk, and Debian's mirror.
 # The system is kept for the next run under $ADVLAYERS_CHROOTS (default /var/tmp/advlayers).
 set -euo pipefail
 
@@ -17,9 +18,10 @@ if [ "${ADVLAYERS_NAMESPACE:-}" != own ]; then
 fi
 
 case "${1:-}" in
+  0.20) suite=bookworm ;;
   1.0) suite=trixie ;;
   1.1) suite=forky ;;
-  *) die "FreeCAD 1.0 or 1.1, got '${1:-}'" ;;
+  *) die "FreeCAD 0.20, 1.0 or 1.1, got '${1:-}'" ;;
 esac
 checkout=$(cd "$(dirname "$(readlink -f "$0")")/../.." && pwd)
 root=${ADVLAYERS_CHROOTS:-/var/tmp/advlayers}/$suite

@@ -121,6 +121,19 @@ def test_faces_and_groups(batch, job, tmp_path):
     assert "in let" in names and "Face2" in names and "Face1" not in names
 
 
+def test_a_shortfall_is_an_error_where_strict(batch, job, tmp_path):
+    """A hundred layers do not fit on the box; three do."""
+    for layers, strict, status in ((100, False, 0), (100, True, 2), (3, True, 0)):
+        ran = batch(job(input="box.step", size=1.0, first_height=0.2, growth=1.2, layers=layers,
+                        strict=strict, outputs=["box.vtu"], report="r.json"))
+        assert (ran.status, ran.stderr) == (status, ""), ran.stdout
+        report = json.loads((tmp_path / "r.json").read_text())
+        assert {wall["requested_layers"] for wall in report["walls"]} == {layers}
+        errors = [entry for entry in report["diagnostics"] if entry["severity"] == "error"]
+        assert bool(errors) == (status == 2)
+        assert (tmp_path / "box.vtu").exists()
+
+
 def test_the_same_names_whatever_is_installed(job, tmp_path):
     """An add-on of another version does not get between the script and its own packages."""
     other = tmp_path / "home" / "Mod" / "Other" / "advlayers"
