@@ -121,14 +121,10 @@ class Closer {
   Corner at(int i) const { return corner(mesh_, front_[i].vertex); }
   double distance(int i, int k) const { return (at(i).xyz - at(k).xyz).norm(); }
 
-  // Angle at b between a and c, measured from c counter-clockwise to a: inside the polygon a, b, c.
-  double inner_angle(int a, int b, int c) const {
-    const Corner corner_b = at(b);
-    return turn_angle(at(c).xyz - corner_b.xyz, at(a).xyz - corner_b.xyz, corner_b.normal);
-  }
+  double angle_at(int a, int b, int c) const { return inner_angle(at(a), at(b), at(c)); }
   bool good_quad(int a, int b, int c, int d) const {
     for (const double angle :
-         {inner_angle(d, a, b), inner_angle(a, b, c), inner_angle(b, c, d), inner_angle(c, d, a)}) {
+         {angle_at(d, a, b), angle_at(a, b, c), angle_at(b, c, d), angle_at(c, d, a)}) {
       if (angle < kLeastQuadAngle || angle > kLargestQuadAngle) return false;
     }
     return true;

@@ -238,7 +238,7 @@ class Planner {
       if (least <= 0.0) return false;
       for (const auto& [x, y, z] : {std::array{p, a, q}, std::array{a, q, kid_at},
                                     std::array{q, kid_at, p}, std::array{kid_at, p, a}}) {
-        const double angle = turn_angle(z.xyz - y.xyz, x.xyz - y.xyz, y.normal);
+        const double angle = inner_angle(x, y, z);
         if (angle < kLeastRowEndAngle || angle > M_PI - kLeastRowEndAngle) return false;
       }
     }
@@ -323,10 +323,10 @@ class Planner {
   bool convex(const Cell& cell) const {
     const std::size_t n = cell.corners.size();
     for (std::size_t k = 0; k < n; ++k) {
-      if (min_angle(corner_of(cell.corners[k]), corner_of(cell.corners[(k + 1) % n]),
-                    corner_of(cell.corners[(k + 2) % n])) < kLeastCellAngle) {
-        return false;
-      }
+      const double angle =
+          inner_angle(corner_of(cell.corners[k]), corner_of(cell.corners[(k + 1) % n]),
+                      corner_of(cell.corners[(k + 2) % n]));
+      if (angle < kLeastCellAngle || angle > M_PI - kLeastCellAngle) return false;
     }
     return true;
   }

@@ -11,8 +11,9 @@ constexpr double kExtrusionSpring = 0.01;
 constexpr double kNeighbourSpring = 0.02;
 constexpr double kOriginalSpring = 0.1;
 constexpr int kPasses = 8;
-constexpr double kMostStep = 0.05;  // of the height, per pass
-constexpr double kUneven = 1.15;    // neighbour edges that differ more are worth smoothing
+constexpr double kMostStep = 0.05;    // of the height, per pass
+constexpr double kLeastAngle = 0.01;  // [rad] that a move may leave in an element beside it
+constexpr double kUneven = 1.15;      // neighbour edges that differ more are worth smoothing
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -69,7 +70,8 @@ bool stays_upright(const SurfaceMesh& mesh, VertexH v, const Corner& moved) {
     HalfedgeH h = o;
     do {
       const HalfedgeH n = mesh.next(h);
-      if (min_angle(at(mesh.from(h)), at(mesh.to(h)), at(mesh.to(n))) <= 0.01) return false;
+      const double angle = inner_angle(at(mesh.from(h)), at(mesh.to(h)), at(mesh.to(n)));
+      if (angle < kLeastAngle || angle > M_PI - kLeastAngle) return false;
       h = n;
     } while (h != o);
     o = mesh.rotate_cw(o);

@@ -42,4 +42,8 @@ double turn_angle(const Vec3& from, const Vec3& to, const Vec3& normal) {
   return angle < 0.0 ? angle + 2.0 * M_PI : angle;
 }
 
+double inner_angle(const Corner& a, const Corner& b, const Corner& c) {
+  return turn_angle(c.xyz - b.xyz, a.xyz - b.xyz, b.normal);
+}
+
 }  // namespace advlayers
