@@ -40,6 +40,17 @@ bool is_inverted(const SurfaceMesh& mesh, FaceH f, const ElementCorners& element
   return surface.normal(foot).dot(area) < 0.0;
 }
 
+// Why a triangle is left: a layer lost an edge of its front there; fronts met and left no vertex
+// that could move; or the core found no partner for it.
+const char* cause_of_triangle(const SurfaceMesh& mesh, FaceH f) {
+  if (!is_core(mesh, f)) return "front-collapse";
+  HalfedgeH h = mesh.halfedge(f);
+  for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+    if (is_free(mesh, mesh.to(h))) return "core";
+  }
+  return "fronts-met";
+}
+
 }  // namespace
 
 PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
@@ -173,6 +184,7 @@ void PatchJob::count_elements() {
   counts_ = FigureCounts();
   inverted_.clear();
   report_.quads = report_.triangles = 0;
+  report_.triangles_by_cause.clear();
   for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
     const FaceH f(i);
     if (!mesh_.alive(f)) continue;
@@ -183,6 +195,7 @@ void PatchJob::count_elements() {
       inverted_.push_back(f);
     }
     ++(element.count == 4 ? report_.quads : report_.triangles);
+    if (element.count == 3) ++report_.triangles_by_cause[cause_of_triangle(mesh_, f)];
   }
 }
 

@@ -15,8 +15,8 @@ constexpr int kNone = -1;
 // bound keeps the searches of nodes that must stay alone from costing the whole graph each.
 constexpr std::size_t kSearchLimit = 1500;
 // Pairs exchanged at once in the search for weight, and sweeps over all nodes.
-constexpr std::size_t kExchangeDepth = 5;
-constexpr int kExchangePasses = 6;
+constexpr std::size_t kExchangeDepth = 4;
+constexpr int kExchangePasses = 2;
 constexpr double kLeastGain = 1e-9;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }

@@ -7,10 +7,8 @@
 namespace advlayers {
 namespace {
 
-constexpr int kNewtonSteps = 2;
-constexpr int kHalvings = 4;
 // A move below this part of the mean edge length is as good as none.
-constexpr double kLeastMove = 0.01;
+constexpr double kLeastMove = 0.02;
 constexpr std::size_t kLargestStar = 24;
 constexpr std::size_t kCancelStride = 256;
 
@@ -74,91 +72,95 @@ bool gather(const SurfaceMesh& mesh, VertexH v, QuadTarget target, Star& star) {
   return star.mean_side > 0.0;
 }
 
-// The sum over the corners that the vertex has a part in, with gradient and Hessian by its place.
+// Calls visit(squares, gradient, curvature, area, area_gradient) for each corner that the vertex at
+// p has a part in: its weighted squares of sides, with their gradient and Hessian (curvature times
+// the identity) by p, and its area with its gradient, which p does not change.
+template <class Visit>
+void visit_corners(const Star& star, const Vec2& p, const Visit& visit) {
+  for (std::size_t i = 0; i < star.count; ++i) {
+    const Sector& s = star.sectors[i];
+    const Vec2 b = s.b - p, bc = s.c - s.b;
+    if (s.quad) {
+      const Vec2 d = s.d - p, dc = s.c - s.d;
+      const double wb = s.weight_b, wd = s.weight_d;
+      visit(wb * b.squaredNorm() + wd * d.squaredNorm(), -2.0 * (wb * b + wd * d), 2.0 * (wb + wd),
+            cross(b, d), Vec2(b.y() - d.y(), d.x() - b.x()));
+      visit(wb * b.squaredNorm() + wd * bc.squaredNorm(), -2.0 * wb * b, 2.0 * wb, cross(bc, -b),
+            Vec2(-bc.y(), bc.x()));
+      visit(wd * d.squaredNorm() + wb * dc.squaredNorm(), -2.0 * wd * d, 2.0 * wd, cross(-d, dc),
+            Vec2(dc.y(), -dc.x()));
+    } else {
+      // All three sides over the area: 1 for equal sides with this factor.
+      constexpr double kEquilateral = 1.0 / 1.7320508075688772;
+      const Vec2 c = s.c - p;
+      visit(kEquilateral * (b.squaredNorm() + c.squaredNorm() + bc.squaredNorm()),
+            kEquilateral * -2.0 * (b + c), kEquilateral * 4.0, cross(b, c),
+            Vec2(b.y() - c.y(), c.x() - b.x()));
+    }
+  }
+}
+
+// The area of a corner, bent below the floor so as to stay positive: a folded corner is pulled
+// open. `slope` is the derivative by the true area.
+double positive_area(double area, double floor, double& slope) {
+  slope = 1.0;
+  if (area >= 4.0 * floor) return area;
+  const double root = std::sqrt(area * area + floor * floor);
+  slope = 0.5 * (1.0 + area / root);
+  return 0.5 * (area + root);
+}
+
+double cost_at(const Star& star, const Vec2& p) {
+  double sum = 0.0;
+  visit_corners(star, p, [&](double squares, const Vec2&, double, double area, const Vec2&) {
+    double slope = 1.0;
+    const double f = 0.5 * squares / positive_area(area, star.area_floor, slope);
+    sum += f * f;
+  });
+  return sum;
+}
+
 struct Cost {
   double value = 0.0;
   Vec2 gradient = Vec2::Zero();
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
-  double least_area = 1e300;
-
-  // One corner: squares and their gradient (the Hessian is `curvature` times the identity), area
-  // and its constant gradient. Below the floor the area is bent so as to stay positive: a folded
-  // corner is pulled open.
-  void add(double squares, const Vec2& squares_gradient, double curvature, double area,
-           const Vec2& area_gradient, double floor);
 };
 
-void Cost::add(double squares, const Vec2& squares_gradient, double curvature, double area,
-               const Vec2& area_gradient, double floor) {
-  least_area = std::min(least_area, area);
-  double positive = area, slope = 1.0;
-  if (area < 4.0 * floor) {
-    const double root = std::sqrt(area * area + floor * floor);
-    positive = 0.5 * (area + root);
-    slope = 0.5 * (1.0 + area / root);
-  }
-  const Vec2 da = slope * area_gradient;
-  const double inverse = 0.5 / positive;
-  const double f = squares * inverse;
-  const Vec2 df = (squares_gradient - 2.0 * f * da) * inverse;
-  const Eigen::Matrix2d mixed = df * da.transpose();
-  const Eigen::Matrix2d ddf =
-      (curvature * Eigen::Matrix2d::Identity() - 2.0 * (mixed + mixed.transpose())) * inverse;
-  value += f * f;
-  gradient += 2.0 * f * df;
-  hessian += 2.0 * (df * df.transpose() + f * ddf);
-}
-
-Cost cost_at(const Star& star, const Vec2& p) {
+Cost cost_here(const Star& star) {
   Cost cost;
-  for (std::size_t i = 0; i < star.count; ++i) {
-    const Sector& s = star.sectors[i];
-    const Vec2 b = s.b - p;
-    if (s.quad) {
-      const Vec2 d = s.d - p, bc = s.c - s.b, dc = s.c - s.d;
-      const double wb = s.weight_b, wd = s.weight_d;
-      cost.add(wb * b.squaredNorm() + wd * d.squaredNorm(), -2.0 * (wb * b + wd * d),
-               2.0 * (wb + wd), cross(b, d), Vec2(b.y() - d.y(), d.x() - b.x()), star.area_floor);
-      cost.add(wb * b.squaredNorm() + wd * bc.squaredNorm(), -2.0 * wb * b, 2.0 * wb, cross(bc, -b),
-               Vec2(-bc.y(), bc.x()), star.area_floor);
-      cost.add(wd * d.squaredNorm() + wb * dc.squaredNorm(), -2.0 * wd * d, 2.0 * wd, cross(-d, dc),
-               Vec2(dc.y(), -dc.x()), star.area_floor);
-    } else {
-      // Three sides over the area: 1 for equal sides with this factor.
-      constexpr double kEquilateral = 1.0 / 1.7320508075688772;
-      const Vec2 c = s.c - p, bc = s.c - s.b;
-      cost.add(kEquilateral * (b.squaredNorm() + c.squaredNorm() + bc.squaredNorm()),
-               kEquilateral * -2.0 * (b + c), kEquilateral * 4.0, cross(b, c),
-               Vec2(b.y() - c.y(), c.x() - b.x()), star.area_floor);
-    }
-  }
+  visit_corners(
+      star, Vec2::Zero(),
+      [&](double squares, const Vec2& squares_gradient, double curvature, double area,
+          const Vec2& area_gradient) {
+        double slope = 1.0;
+        const double inverse = 0.5 / positive_area(area, star.area_floor, slope);
+        const Vec2 da = slope * area_gradient;
+        const double f = squares * inverse;
+        const Vec2 df = (squares_gradient - 2.0 * f * da) * inverse;
+        const Eigen::Matrix2d mixed = df * da.transpose();
+        const Eigen::Matrix2d ddf =
+            (curvature * Eigen::Matrix2d::Identity() - 2.0 * (mixed + mixed.transpose())) * inverse;
+        cost.value += f * f;
+        cost.gradient += 2.0 * f * df;
+        cost.hessian += 2.0 * (df * df.transpose() + f * ddf);
+      });
   return cost;
 }
 
-// The minimum by damped Newton steps; false where the vertex is there already.
-bool find_minimum(const Star& star, Vec2& place) {
-  place = Vec2::Zero();
-  Cost cost = cost_at(star, place);
-  for (int step = 0; step < kNewtonSteps; ++step) {
-    const double determinant = cost.hessian.determinant();
-    if (!(determinant > 0.0) || cost.hessian(0, 0) <= 0.0) {
-      cost.hessian = (cost.hessian.norm() + 1e-300) * Eigen::Matrix2d::Identity();
-    }
-    Vec2 move = -cost.hessian.inverse() * cost.gradient;
-    const double limit = 0.5 * star.mean_side;
-    if (move.norm() > limit) move *= limit / move.norm();
-    Cost next;
-    int halving = 0;
-    for (; halving < kHalvings; ++halving, move *= 0.5) {
-      next = cost_at(star, place + move);
-      if (next.value < cost.value) break;
-    }
-    if (halving == kHalvings) break;
-    place += move;
-    cost = next;
-    if (move.norm() < 0.2 * kLeastMove * star.mean_side) break;
+// One damped Newton step; more would be spent on neighbours that are yet to move. False where the
+// vertex is as good as at the minimum.
+bool find_better_place(const Star& star, Vec2& place) {
+  const Cost cost = cost_here(star);
+  const bool convex = cost.hessian(0, 0) > 0.0 && cost.hessian.determinant() > 0.0;
+  place = convex ? Vec2(-cost.hessian.inverse() * cost.gradient)
+                 : Vec2(-cost.gradient / (cost.hessian.norm() + 1e-300));
+  const double limit = 0.5 * star.mean_side;
+  if (place.norm() > limit) place *= limit / place.norm();
+  const double least = kLeastMove * star.mean_side;
+  for (; place.norm() > least; place *= 0.5) {
+    if (cost_at(star, place) < cost.value) return true;
   }
-  return place.norm() > kLeastMove * star.mean_side;
+  return false;
 }
 
 // True where every face about the vertex stays on the surface's outer side, and turns the same way
@@ -192,7 +194,7 @@ bool smooth_star(SurfaceMesh& mesh, PatchSurface& surface, QuadTarget target, Ve
   Star star;
   if (!gather(mesh, v, target, star)) return false;
   Vec2 place;
-  if (!find_minimum(star, place)) return false;
+  if (!find_better_place(star, place)) return false;
   VertexData& data = mesh.data(v);
   const Vec3 goal = data.point.xyz + place.x() * star.x_axis + place.y() * star.y_axis;
   SurfacePoint foot;
