@@ -34,7 +34,8 @@ constexpr double kApexShare = 0.3;
 // Share of a triangle's longest edge.
 constexpr double kLongEnough = 0.8;
 // Height over a boundary edge, as a share of the edge.
-constexpr double kHugging = 0.15;
+constexpr double kHugging = 0.02;
+constexpr double kSagittas = 3;    // and of its sagitta
 constexpr int kMostDivisions = 8;  // per triangle, on average
 constexpr int kWalkLimit = 200;
 
@@ -62,7 +63,9 @@ bool middle_crowds(const LiftedTriangulation& sheet, Side s) {
       const Vec2 w = p - mesh.point(mesh.from(side));
       const double area = d.x() * w.y() - d.y() * w.x();
       const double length2 = m.squared(d);
-      if (area * area * m.determinant() < kHugging * kHugging * length2 * length2) return true;
+      const double least =
+          kHugging * std::sqrt(length2) + kSagittas * sheet.sagitta(mesh.segment(side));
+      if (area * area * m.determinant() < least * least * length2) return true;
     }
   }
   return false;

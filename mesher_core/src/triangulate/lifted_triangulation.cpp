@@ -32,6 +32,7 @@ LiftedTriangulation::LiftedTriangulation(FaceSheet sheet, PlanarTriangulation me
     vertices_[i].node = sheet_.nodes[i];
   }
   set_boundary_sizes();
+  set_sagittas();
 }
 
 // A border point wants the mean length of the border's mesh edges beside it, a point on a seam what
@@ -57,6 +58,15 @@ void LiftedTriangulation::set_boundary_sizes() {
     } else if (!v.pole) {
       v.size = target_.at(v.point);
     }
+  }
+}
+
+void LiftedTriangulation::set_sagittas() {
+  sagittas_.reserve(sheet_.segments.size());
+  for (const SheetSegment& s : sheet_.segments) {
+    const Vec3 on_surface = evaluate((mesh_.point(s.from) + mesh_.point(s.to)) / 2).point.xyz;
+    const Vec3 on_chord = (vertex(s.from).point.xyz + vertex(s.to).point.xyz) / 2;
+    sagittas_.push_back(s.pole ? 0.0 : (on_surface - on_chord).norm());
   }
 }
 

@@ -53,6 +53,8 @@ class LiftedTriangulation {
   const std::vector<int>& touched() const { return touched_; }  // by the last insertion
 
   double squared_length(int a, int b) const;
+  // How far the chord of a boundary segment strays from the surface [mm].
+  double sagitta(int segment) const { return sagittas_[static_cast<std::size_t>(segment)]; }
 
   LiftedVertex evaluate(const Vec2& p);
 
@@ -78,6 +80,7 @@ class LiftedTriangulation {
   bool is_better_in_space(Side s) const;
   double score(int a, int b, int c) const;
   void set_boundary_sizes();
+  void set_sagittas();
   void set_pole_sizes(const SheetSegment& pole);
 
   FaceSheet sheet_;
@@ -85,6 +88,7 @@ class LiftedTriangulation {
   Evaluator* evaluator_;
   TargetSize target_;
   std::vector<LiftedVertex> vertices_;
+  std::vector<double> sagittas_;  // by segment
   std::vector<unsigned> versions_;
   std::vector<int> touched_;
   std::vector<Side> pending_;
