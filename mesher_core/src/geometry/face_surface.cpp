@@ -16,6 +16,9 @@ constexpr int kMaxIterations = 40;
 // Below this part of the typical |Su| a direction is rounding noise: the surface is collapsed
 // there.
 constexpr double kCollapsed = 1e-8;
+// Sine below which the direction of the derivatives' cross product is round-off: parameter lines
+// that touch along an edge of the face are no rarity in lofted surfaces.
+constexpr double kParallel = 1e-6;
 // Below this part the parameter plane is too stretched to steer in.
 constexpr double kRegular = 1e-3;
 // A Newton step shorter than this part of the face's size squares to nothing: it is the last one.
@@ -113,7 +116,7 @@ SurfaceDerivatives FaceSurface::second(double u, double v) const {
 bool FaceSurface::spans_plane(const Vec3& du, const Vec3& dv) const {
   const double a = du.norm(), b = dv.norm();
   return a > kCollapsed * speed_u_ && b > kCollapsed * speed_v_ &&
-         du.cross(dv).norm() > kCollapsed * a * b;
+         du.cross(dv).norm() > kParallel * a * b;
 }
 
 bool FaceSurface::regular(const Vec3& du, const Vec3& dv) const {

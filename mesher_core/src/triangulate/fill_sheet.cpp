@@ -222,9 +222,7 @@ class FrontalInsertion {
       if (q > 0) radius = std::min(radius, (half * half + q * q) / (2 * q));
     }
     const double height = radius + std::sqrt(std::max(0.0, radius * radius - half * half));
-    const double area = std::sqrt(std::max(m.determinant(), 1e-300));
-    const Vec2 across(-(m.f * d.x() + m.g * d.y()) / area, (m.e * d.x() + m.f * d.y()) / area);
-    return middle + across * (height / std::sqrt(length2));
+    return middle + m.across(d) * (height / std::sqrt(length2));
   }
 
   // The triangle that holds p, reached from t without crossing a boundary; -1 where there is none.

@@ -14,6 +14,8 @@ namespace {
 // Sine by which two opposite angles must exceed pi together before their edge is flipped: metrics
 // differ from point to point, so that flips without a margin could go round in circles.
 constexpr double kFlipMargin = 1e-3;
+constexpr double kNose = 0.012;      // extent of a nose, as a share of the wanted length
+const double kNoseTurn = std::cos(45 * M_PI / 180);
 constexpr double kScoreMargin = 1e-4;
 constexpr std::size_t kFlipLimit = 500;  // after one insertion
 
@@ -33,6 +35,7 @@ LiftedTriangulation::LiftedTriangulation(FaceSheet sheet, PlanarTriangulation me
   }
   set_boundary_sizes();
   set_sagittas();
+  blunt_border_normals();
 }
 
 // A border point wants the mean length of the border's mesh edges beside it, a point on a seam what
@@ -67,6 +70,29 @@ void LiftedTriangulation::set_sagittas() {
     const Vec3 on_surface = evaluate((mesh_.point(s.from) + mesh_.point(s.to)) / 2).point.xyz;
     const Vec3 on_chord = (vertex(s.from).point.xyz + vertex(s.to).point.xyz) / 2;
     sagittas_.push_back(s.pole ? 0.0 : (on_surface - on_chord).norm());
+  }
+}
+
+// Lofted surfaces often end in a nose of nearly no radius: the normal right on the border then says
+// nothing about the triangles that leave it, and what it is a little inside is taken.
+void LiftedTriangulation::blunt_border_normals() {
+  std::vector<Vec2> inward(sheet_.points.size(), Vec2::Zero());
+  for (const SheetSegment& s : sheet_.segments) {
+    if (s.inner || s.pole) continue;
+    const Vec2 d = mesh_.point(s.to) - mesh_.point(s.from);
+    for (const int end : {s.from, s.to}) {
+      const Vec2 across = vertex(end).metric.across(d);
+      const double length2 = vertex(end).metric.squared(across);
+      if (length2 > 0) inward[static_cast<std::size_t>(end)] += across / std::sqrt(length2);
+    }
+  }
+  for (std::size_t i = 0; i < inward.size(); ++i) {
+    LiftedVertex& v = vertices_[i];
+    const double length2 = v.metric.squared(inward[i]);
+    if (v.pole || !(length2 > 0)) continue;
+    const Vec2 inset = inward[i] * (kNose * v.size / std::sqrt(length2));
+    const Vec3 beside = evaluate(sheet_.points[i] + inset).normal;
+    if (beside.dot(v.normal) < kNoseTurn) v.normal = beside;
   }
 }
 

@@ -3,6 +3,8 @@
 // the triangulation stays valid however coarse it is on the surface.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "triangulate/face_sheet.h"
@@ -22,13 +24,18 @@ struct Metric {
     return e * a.x() * b.x() + f * (a.x() * b.y() + a.y() * b.x()) + g * a.y() * b.y();
   }
   double determinant() const { return e * g - f * f; }
+  // d turned left by a right angle, as long as d.
+  Vec2 across(const Vec2& d) const {
+    const double area = std::sqrt(std::max(determinant(), 1e-300));
+    return {-(f * d.x() + g * d.y()) / area, (e * d.x() + f * d.y()) / area};
+  }
   Metric operator+(const Metric& o) const { return {e + o.e, f + o.f, g + o.g}; }
   Metric operator*(double s) const { return {s * e, s * f, s * g}; }
 };
 
 struct LiftedVertex {
   SurfacePoint point;
-  Vec3 normal;
+  Vec3 normal;  // of the surface; on a border that ends in an unresolved nose, of the surface beside it
   Metric metric;
   double size = 0;   // wanted edge length [mm], graded
   double least = 0;  // what a long border nearby makes of it, however curved the surface [mm]
@@ -81,6 +88,7 @@ class LiftedTriangulation {
   double score(int a, int b, int c) const;
   void set_boundary_sizes();
   void set_sagittas();
+  void blunt_border_normals();
   void set_pole_sizes(const SheetSegment& pole);
 
   FaceSheet sheet_;
