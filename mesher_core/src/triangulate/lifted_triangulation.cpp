@@ -14,7 +14,8 @@ namespace {
 // Sine by which two opposite angles must exceed pi together before their edge is flipped: metrics
 // differ from point to point, so that flips without a margin could go round in circles.
 constexpr double kFlipMargin = 1e-3;
-constexpr double kNose = 0.012;      // extent of a nose, as a share of the wanted length
+constexpr double kNose = 0.012;    // extent of a nose, as a share of the wanted length
+constexpr double kNoseReach = 10;  // times that extent, in the sheet
 const double kNoseTurn = std::cos(45 * M_PI / 180);
 constexpr double kScoreMargin = 1e-4;
 constexpr std::size_t kFlipLimit = 500;  // after one insertion
@@ -90,7 +91,11 @@ void LiftedTriangulation::blunt_border_normals() {
     LiftedVertex& v = vertices_[i];
     const double length2 = v.metric.squared(inward[i]);
     if (v.pole || !(length2 > 0)) continue;
-    const Vec2 inset = inward[i] * (kNose * v.size / std::sqrt(length2));
+    // Where the parametrization stands still, the metric leads far off; the sheet's own scale
+    // holds.
+    const double step = kNose * v.size;
+    const Vec2 inset =
+        inward[i] * std::min(step / std::sqrt(length2), kNoseReach * step / inward[i].norm());
     const Vec3 beside = evaluate(sheet_.points[i] + inset).normal;
     if (beside.dot(v.normal) < kNoseTurn) v.normal = beside;
   }
