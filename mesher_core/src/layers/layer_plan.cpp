@@ -44,7 +44,6 @@ class Planner {
   LayerPlan run() {
     measure();
     cap_by_gaps();
-    drop_lone_nodes();
     for (int i = 0; i < front_.size(); ++i) {
       if (advances(i)) try_row_end(i);
     }
@@ -69,21 +68,20 @@ class Planner {
   const Vec3& position(int i) const { return mesh_.position(front_[i].vertex); }
 
   void measure() {
+    std::vector<std::pair<int, Stop>> ended;  // stopped together, or the last would stand alone
     for (int i = 0; i < front_.size(); ++i) {
       const FrontNode& node = front_[i];
-      if (!node.active) continue;
-      if (node.prev < 0 && node.next < 0) {
-        state_.stop(i, Stop::kBlocked);
-        continue;
-      }
+      if (!node.active || (node.prev < 0 && node.next < 0)) continue;
       plan_.shapes[index(i)] = node_shape(mesh_, front_, i);
       heights_[index(i)] = std::min(node.height, state_.max_height);
       if (node.layers_left <= 0) {
-        state_.stop(i, Stop::kLayersReached);
+        ended.emplace_back(i, Stop::kLayersReached);
       } else if (state_.stop_at_isotropy && node.height >= shape(i).length()) {
-        state_.stop(i, Stop::kIsotropic);
+        ended.emplace_back(i, Stop::kIsotropic);
       }
     }
+    for (const auto& [i, reason] : ended) state_.stop(i, reason);
+    drop_lone_nodes(Stop::kBlocked);
   }
 
   // Opposing fronts meet evenly: where two more rows of this height would leave less than one, the
@@ -110,11 +108,12 @@ class Planner {
       for (const int end : {i, k}) heights_[index(end)] = std::min(heights_[index(end)], third);
     }
     for (const int i : crowded) state_.stop(i, Stop::kCollision);
+    drop_lone_nodes(Stop::kCollision);
   }
 
-  void drop_lone_nodes() {
+  void drop_lone_nodes(Stop reason) {
     for (int i = 0; i < front_.size(); ++i) {
-      if (advances(i) && front_[i].prev < 0 && front_[i].next < 0) state_.stop(i, Stop::kCollision);
+      if (advances(i) && front_[i].prev < 0 && front_[i].next < 0) state_.stop(i, reason);
     }
   }
 
@@ -242,12 +241,18 @@ class Planner {
         if (angle < kLeastRowEndAngle || angle > M_PI - kLeastRowEndAngle) return false;
       }
     }
-    const int kid = add_kid(parents[0], point);
+    // Of three parents the middle one: its edge to the kid bounds both quads.
+    const std::size_t first = (parents.size() - 1) / 2;
+    const int kid = add_kid(parents[first], point);
     plan_.kids[index(kid)].parents = parents;
     double height = 0.0;
-    for (const int k : parents) {
-      height += front_[k].height * front_[k].growth / static_cast<double>(parents.size());
-      plan_.kids_of[index(k)] = {kid};
+    int& layers_left = plan_.kids[index(kid)].layers_left;
+    for (std::size_t k = 0; k < parents.size(); ++k) {
+      const FrontNode& parent = front_[parents[k]];
+      height += parent.height * parent.growth / static_cast<double>(parents.size());
+      layers_left = std::min(layers_left, parent.layers_left - 1);
+      plan_.kids_of[index(parents[k])] = {kid};
+      if (k != first) state_.note_stop(parents[k], Stop::kMerged);
     }
     plan_.kids[index(kid)].height = height;
     for (const int a : corners) {
