@@ -5,9 +5,10 @@
 
 namespace advlayers {
 
-// The factor on the height [1]. Concave corners that turn more than 20 degrees: eq. 9 where A > cot
-// theta, else 1 / sin theta, never past the shorter neighbour edge. Convex corners: 1 / sin theta,
-// so that the layer keeps its thickness. Elsewhere 1.
+// The factor on the height [1]: 1 / sin theta where the front turns more than 20 degrees, so that
+// the layer keeps its thickness beside both edges, else 1. At concave corners never past the
+// shorter neighbour edge. This is the limit of eq. 9 for long edges; the rest of eq. 9, which grows
+// without bound as A nears cot theta, would throw the kid past the cell's convexity.
 double concave_factor(const NodeShape& shape, double height);
 
 }  // namespace advlayers
