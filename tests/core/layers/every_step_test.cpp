@@ -131,6 +131,29 @@ TEST_P(EveryStep, KnowsParentsAndLayers) {
 INSTANTIATE_TEST_SUITE_P(Shapes, EveryStep, ::testing::ValuesIn(kCases),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
+// One wall among edges without layers: open chains, whose ends meet what does not move.
+TEST_P(EveryStep, LeavesAValidMeshWithOneWall) {
+  LayerRun run(GetParam().shape(), GetParam().sizes);
+  const EdgeId wall =
+      std::min_element(run.walls.edges.begin(), run.walls.edges.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; })
+          ->first;
+  for (auto& [edge, plan] : run.walls.edges) {
+    if (edge != wall) plan.condition = EdgeCondition::kOff;
+  }
+  const Invariants invariants(run.mesh, area_tolerance(GetParam().flat));
+  std::string first_fault;
+  run.layers().set_step_hook([&](Step step, const SurfaceMesh& mesh) {
+    if (first_fault.empty() && !invariants.fault(mesh).empty()) {
+      first_fault = std::string(step_name(step)) + ": " + invariants.fault(mesh);
+    }
+  });
+  run.grow();
+  EXPECT_EQ(first_fault, "");
+  EXPECT_GE(run.reports.size(), 3u);
+  EXPECT_GT(elements_of(run.mesh).quads, 0);
+}
+
 // A user may stop after any layer: each stop gives what a longer run had there, and a valid mesh.
 TEST(StoppedAtALayer, IsTheLongRunSoFar) {
   LayerRun whole(plate_with_holes());
