@@ -38,8 +38,9 @@ class LoopBuilder {
   }
 
   void build() {
-    count_uses();
-    for (const TopoDS_Wire& wire : wires()) {
+    const std::vector<TopoDS_Wire> wires = bounding_wires();
+    count_uses(wires);
+    for (const TopoDS_Wire& wire : wires) {
       std::vector<Link> links;
       if (!collect(wire, links) || !chain(links)) return;
     }
@@ -54,7 +55,7 @@ class LoopBuilder {
 
  private:
   // Wires of the face, the outer one first; internal ones bound nothing.
-  std::vector<TopoDS_Wire> wires() const {
+  std::vector<TopoDS_Wire> bounding_wires() const {
     std::vector<TopoDS_Wire> found;
     const TopoDS_Wire outer = BRepTools::OuterWire(shape_face_);
     for (TopoDS_Iterator it(shape_face_); it.More(); it.Next()) {
@@ -69,8 +70,8 @@ class LoopBuilder {
     return s.Orientation() == TopAbs_FORWARD || s.Orientation() == TopAbs_REVERSED;
   }
 
-  void count_uses() {
-    for (const TopoDS_Wire& wire : wires()) {
+  void count_uses(const std::vector<TopoDS_Wire>& wires) {
+    for (const TopoDS_Wire& wire : wires) {
       for (TopoDS_Iterator it(wire); it.More(); it.Next()) {
         if (bounds(it.Value())) ++uses_[shape_.edges.FindIndex(it.Value())];
       }

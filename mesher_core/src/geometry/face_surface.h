@@ -39,7 +39,14 @@ class FaceSurface {
   bool project(const Vec3& point, double& u, double& v, Vec3& foot) const;
 
  private:
+  // Below this part of the typical |Su| a direction is rounding noise: the surface is collapsed
+  // there.
+  static constexpr double kCollapsed = 1e-8;
+  bool u_collapsed(const Vec3& du) const { return du.norm() <= kCollapsed * speed_u_; }
+  bool v_collapsed(const Vec3& dv) const { return dv.norm() <= kCollapsed * speed_v_; }
+
   bool is_elementary() const { return face_->kind != SurfaceKind::kOther; }
+  void keep_elementary();
   void wrap(double& u, double& v) const;
   void step_inside(double& u, double& v, double fraction, bool along_u, bool along_v) const;
   bool spans_plane(const Vec3& du, const Vec3& dv) const;
@@ -57,6 +64,8 @@ class FaceSurface {
   gp_Trsf location_, inverse_;
   bool located_ = false;
   GeomAdaptor_Surface surface_;           // after the location, which its making sets
+  gp_Ax3 axes_;                           // of an elementary surface
+  double radius_ = 0.0, second_ = 0.0;    // and its radius; cone: angle [rad], torus: minor radius
   double scale_ = 1.0;                    // of the location
   double u_lo_, u_hi_, v_lo_, v_hi_;      // where the surface exists
   double speed_u_ = 0.0, speed_v_ = 0.0;  // typical |Su|, |Sv| over the face

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <random>
+#include <thread>
 
 #include "geometry/shapes.h"
 
@@ -190,6 +191,28 @@ TEST(Evaluator, EdgeParameterInvertsEdgeLength) {
       EXPECT_EQ(evaluator.edge_parameter(id, edge.first, 2 * edge.length), edge.last);
     }
   }
+}
+
+TEST(Evaluator, OnePerThreadGivesTheSameBitForBit) {
+  const Model model = model_of(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(5, 1).Shape()));
+  const auto trace = [&model] {
+    Evaluator evaluator(model);
+    std::vector<double> seen;
+    SurfacePoint at{FaceId(0), 1.0, 1.0, Vec3::Zero()};
+    for (int k = 0; k < 3000; ++k) {
+      const double angle = 0.01 * k;
+      const Vec3 target(5.5 * std::cos(angle), 5.5 * std::sin(angle), std::sin(0.7 * k));
+      evaluator.project(target, at, at);
+      seen.insert(seen.end(), {at.u, at.v, at.xyz.x(), evaluator.normal(at).y()});
+    }
+    return seen;
+  };
+  const std::vector<double> alone = trace();
+  std::vector<std::vector<double>> together(4);
+  std::vector<std::thread> threads;
+  for (auto& result : together) threads.emplace_back([&] { result = trace(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& result : together) EXPECT_EQ(result, alone);
 }
 
 TEST(Evaluator, EdgePointsLieOnTheirFaces) {
