@@ -132,8 +132,8 @@ void EdgeSpacing::cut() {
   }
   const double total = shares.back();
   if (!(total < kMaxSegments)) {
-    throw InvalidInput("size: " + std::to_string(limits_.size) + " mm would cut " +
-                       edge_name(edge_) + " into " + std::to_string(total) + " segments");
+    throw InvalidInput("size is too small: it would cut " + edge_name(edge_) + " into " +
+                       std::to_string(total) + " segments");
   }
   const int n = std::max(required_, static_cast<int>(std::ceil(total - kUniform * (1.0 + total))));
   const auto [least, most] = std::minmax_element(h.begin(), h.end());
