@@ -12,6 +12,9 @@ from advlayers.errors import InputError
 from advlayers.settings_check import check_all
 from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS
 
+# Every facet of an STL file becomes a planar face: as patches of their own they make no sense.
+FACETED_FEATURE_ANGLE = 20.0  # [deg]
+
 
 @dataclass(frozen=True)
 class Job:
@@ -29,7 +32,10 @@ def read_job(path: str) -> Job:
 
     Raises InputError.
     """
-    values = check_all(_read_json(path), JOB_SETTINGS + MESH_SETTINGS)
+    given = _read_json(path)
+    if str(given.get("input", "")).lower().endswith(".stl"):
+        given.setdefault("feature_angle", FACETED_FEATURE_ANGLE)
+    values = check_all(given, JOB_SETTINGS + MESH_SETTINGS)
     folder = os.path.dirname(os.path.abspath(path))
     job = Job(
         input_name=values["input"],

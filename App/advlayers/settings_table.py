@@ -33,9 +33,10 @@ MESH_SETTINGS = (
         property="Faces", property_type="App::PropertyStringList", group="Geometry",
     ),
     Setting(
-        "feature_angle", "number", 20.0,
+        "feature_angle", "number", 0.0,
         "Faces that meet at an angle below this are meshed as one patch; layers run across the "
-        "edge between them. 0 makes every CAD face a patch of its own.",
+        "edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed "
+        "with 20.",
         unit="deg", low=0.0, high=180.0, high_open=True,
         property="FeatureAngle", property_type="App::PropertyAngle", group="Geometry",
     ),

@@ -179,7 +179,7 @@ std::string describe(const Settings& settings) {
 }
 
 constexpr const char* kDoc =
-    "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=20,\n"
+    "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=0,\n"
     "curvature_angle=20, core=\"quads\", walls=\"all\", match=[], off=[], faces=\"all\", "
     "threads=0)\n\n"
     "size, first_height in mm; angles in degrees. layers: a number, 0 = until the fronts close, "

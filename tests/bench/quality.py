@@ -29,11 +29,9 @@ class Case(NamedTuple):
     first_height: float
     growth: float
     layers: Any = 0
-    feature_angle: float = 20.0
+    feature_angle: float = 0.0
 
 
-# The wings with every CAD face a patch of its own: a judge looks for mesh edges on all CAD edges,
-# and the leading edge would be none.
 CASES = (
     Case("box", "box.brep", 1.0, 0.1, 1.1),
     Case("box, 5 layers", "box.brep", 0.5, 0.05, 1.2, 5),
@@ -43,8 +41,8 @@ CASES = (
     Case("torus", "torus.brep", 1.0, 0.1, 1.1),
     Case("drilled plate", "drilled_plate.brep", 1.0, 0.1, 1.1),
     Case("bracket", "bracket.brep", 1.0, 0.1, 1.1),
-    Case("wing, growth 1.05", "naca0018_sharp.step", 0.07, 0.007, 1.05, 0, 0.0),
-    Case("wing, growth 1.1", "naca0018_sharp.step", 0.07, 0.007, 1.1, 0, 0.0),
+    Case("wing, growth 1.05", "naca0018_sharp.step", 0.065, 0.007, 1.05),
+    Case("wing, growth 1.1", "naca0018_sharp.step", 0.065, 0.007, 1.1),
     Case("concave plate, growth 1.04", "concave_plate.step", 0.2, 0.02, 1.04),
     Case("concave plate, growth 1.08", "concave_plate.step", 0.2, 0.02, 1.08),
     Case("cylinder shell", "cylinder.step", 0.5, 0.05, 1.1),

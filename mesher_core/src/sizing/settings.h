@@ -28,7 +28,7 @@ struct Settings {
   double growth = 1.2;
   EndOfGrowth end = EndOfGrowth::kFrontsClose;
   int layers = 0;                 // for EndOfGrowth::kLayers
-  double feature_angle = 20.0;    // [deg]; 0: every CAD face is a patch of its own
+  double feature_angle = 0.0;     // [deg]; 0: every CAD face is a patch of its own
   double curvature_angle = 20.0;  // [deg] an edge segment or triangle side may turn
   CoreElements core = CoreElements::kQuads;
   bool walls_all = true;

@@ -90,7 +90,7 @@ def test_both_hosts_make_the_same_mesh(job, tmp_path):
 
 def test_stl(job, tmp_path):
     ran = run(HOSTS["freecadcmd"] + [job(input="box.stl", **BOX, outputs=["box.vtu"],
-                                         report="r.json", feature_angle=20.0)])
+                                         report="r.json")])
     assert (ran.status, ran.stderr) == (0, ""), ran.stdout
     mesh = meshio.read(tmp_path / "box.vtu")
     assert set(np.concatenate(mesh.cell_data["face"])) == set(range(1, 13))
