@@ -6,6 +6,7 @@
 #include "quality/core_region.h"
 #include "quality/element_measures.h"
 #include "quality/matching.h"
+#include "quality/seam_repair.h"
 #include "quality/star_smoothing.h"
 #include "quality/triangle_walk.h"
 
@@ -80,6 +81,7 @@ void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cance
     if (round > 0 && joined == 0) break;
     smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweeps, cancel);
   }
+  recut_pentagons(mesh, cancel);
   smooth_stars(mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps, cancel);
 }
 

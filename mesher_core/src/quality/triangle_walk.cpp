@@ -6,6 +6,7 @@
 
 #include "quality/core_region.h"
 #include "quality/element_measures.h"
+#include "quality/pentagon.h"
 
 namespace advlayers {
 namespace {
@@ -18,18 +19,9 @@ constexpr std::size_t kMostGoals = 8;
 constexpr double kLeastQuad = 0.03;
 constexpr double kLeastTriangle = 0.1;  // sine of the smallest angle
 
-// One pentagon that a walk crosses, by its vertices: (a, b) is the edge between the triangle
-// (a, b, p) and the quad (a, d, c, b).
-struct Pentagon {
-  VertexH p, a, d, c, b;
-};
-
-// Where the triangle stands after the step, by the corner of the pentagon that it cuts off.
-enum class Cut : std::uint8_t { kA, kB, kC, kD };
-
 struct Plan {
   double worst = -1.0;
-  std::array<Cut, kLongestWalk> cuts{};
+  std::array<PentagonCut, kLongestWalk> cuts{};
 };
 
 class Walker {
@@ -92,36 +84,11 @@ void Walker::trace_route(FaceH start, FaceH goal) {
 }
 
 // The two corners to cut so that the triangle reaches the edge that leads on.
-std::array<Cut, 2> cuts_towards(const SurfaceMesh& mesh, HalfedgeH entered, HalfedgeH leaving) {
-  if (leaving == mesh.next(entered)) return {Cut::kA, Cut::kD};
-  if (leaving == mesh.prev(entered)) return {Cut::kB, Cut::kC};
-  return {Cut::kC, Cut::kD};
-}
-
-struct Halves {
-  std::array<VertexH, 3> triangle;
-  std::array<VertexH, 4> quad;
-};
-
-Halves halves_of(const Pentagon& v, Cut cut) {
-  switch (cut) {
-    case Cut::kA:
-      return {{v.p, v.a, v.d}, {v.p, v.d, v.c, v.b}};
-    case Cut::kB:
-      return {{v.c, v.b, v.p}, {v.p, v.a, v.d, v.c}};
-    case Cut::kC:
-      return {{v.d, v.c, v.b}, {v.p, v.a, v.d, v.b}};
-    case Cut::kD:
-      break;
-  }
-  return {{v.a, v.d, v.c}, {v.p, v.a, v.c, v.b}};
-}
-
-// The pentagon about route_[step], left by a triangle whose third vertex is p.
-Pentagon pentagon_at(const SurfaceMesh& mesh, HalfedgeH leaving, VertexH p) {
-  const HalfedgeH inside = SurfaceMesh::twin(leaving);  // from b to a, in the quad (b, a, d, c)
-  const HalfedgeH ad = mesh.next(inside), dc = mesh.next(ad);
-  return {p, mesh.to(inside), mesh.to(ad), mesh.to(dc), mesh.from(inside)};
+std::array<PentagonCut, 2> cuts_towards(const SurfaceMesh& mesh, HalfedgeH entered,
+                                        HalfedgeH leaving) {
+  if (leaving == mesh.next(entered)) return {PentagonCut::kA, PentagonCut::kD};
+  if (leaving == mesh.prev(entered)) return {PentagonCut::kB, PentagonCut::kC};
+  return {PentagonCut::kC, PentagonCut::kD};
 }
 
 // Every way to go on from here, depth first; `best` holds the one whose worst element is best.
@@ -137,8 +104,8 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
     return;
   }
   const Pentagon pentagon = pentagon_at(mesh_, leaving, p);
-  for (const Cut cut : cuts_towards(mesh_, SurfaceMesh::twin(leaving), route_[step + 1])) {
-    const Halves halves = halves_of(pentagon, cut);
+  for (const PentagonCut cut : cuts_towards(mesh_, SurfaceMesh::twin(leaving), route_[step + 1])) {
+    const PentagonHalves halves = halves_of(pentagon, cut);
     const auto& [t0, t1, t2] = halves.triangle;
     if (triangle_quality(t0, t1, t2) < kLeastTriangle) continue;
     const double quad =
@@ -153,34 +120,9 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
   }
 }
 
-// Moves the triangle over `leaving` as planned; false, with a valid mesh, where topology forbids.
-bool cross_pentagon(SurfaceMesh& mesh, HalfedgeH leaving, Cut cut) {
-  const HalfedgeH inside = SurfaceMesh::twin(leaving);
-  const FaceH quad = mesh.face(inside);
-  const VertexH a = mesh.to(inside), b = mesh.from(inside);
-  const bool from_a = cut == Cut::kB || cut == Cut::kD;
-  const HalfedgeH diagonal = mesh.divide(quad, from_a ? a : b);
-  HalfedgeH seam = leaving;
-  if (cut == Cut::kA || cut == Cut::kB) {
-    if (mesh.flip_veto(leaving) != Veto::kNone) {
-      mesh.combine(diagonal);
-      return false;
-    }
-    mesh.flip(leaving);
-    seam = diagonal;
-  }
-  if (mesh.combine_veto(seam) == Veto::kNone) {
-    mesh.combine(seam);
-    return true;
-  }
-  if (seam == diagonal) mesh.flip(leaving);
-  mesh.combine(diagonal);
-  return false;
-}
-
 bool Walker::carry_out(const Plan& plan) {
   for (std::size_t step = 0; step + 1 < route_.size(); ++step) {
-    if (!cross_pentagon(mesh_, route_[step], plan.cuts[step])) return false;
+    if (!recut(mesh_, route_[step], plan.cuts[step])) return false;
   }
   if (mesh_.combine_veto(route_.back()) != Veto::kNone) return false;
   mesh_.combine(route_.back());
