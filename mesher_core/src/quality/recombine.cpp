@@ -18,7 +18,7 @@ constexpr double kLeastQuality = 0.03;  // 1 - cos 30
 
 constexpr int kSeamSweeps = 10;
 constexpr int kSweeps = 5;
-constexpr int kRounds = 4;
+constexpr int kRounds = 8;
 
 struct Candidates {
   std::vector<HalfedgeH> diagonal;  // one per pair edge
@@ -75,14 +75,15 @@ void pair_triangles(SurfaceMesh& mesh) {
 void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
   cancel.check();
   pair_triangles(mesh);
-  const std::vector<VertexH> free = free_vertices(mesh);
+  const std::vector<VertexH> free = free_vertices(mesh), seam = seam_vertices(mesh);
   for (int round = 0; round < kRounds; ++round) {
     const int joined = join_triangles(mesh, cancel);
     if (round > 0 && joined == 0) break;
     smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweeps, cancel);
+    smooth_stars(mesh, surface, seam, QuadTarget::kRectangle, kSweeps, cancel);
   }
   recut_pentagons(mesh, cancel);
-  smooth_stars(mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps, cancel);
+  smooth_stars(mesh, surface, seam, QuadTarget::kRectangle, kSeamSweeps, cancel);
 }
 
 }  // namespace advlayers
