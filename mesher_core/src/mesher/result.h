@@ -28,7 +28,7 @@ struct PatchReport {
   PatchId patch;
   std::vector<FaceId> faces;
   int layers = 0, quads = 0, triangles = 0;
-  std::map<std::string, int> events;  // collapse, row-end, … -> count
+  std::map<std::string, int> events;              // collapse, row-end, … -> count
   std::map<std::string, int> triangles_by_cause;  // front-collapse, fronts-met, core
   std::map<std::string, int> vetoes;
 };
