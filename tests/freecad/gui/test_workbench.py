@@ -1,5 +1,6 @@
 """The workbench in a real window: it loads, its command makes a mesh, and the mesh is seen."""
 import os
+import subprocess
 import time
 
 import advlayers
@@ -176,18 +177,25 @@ def test_a_missing_core_names_the_remedy(box, monkeypatch):
 def test_a_file_made_without_a_window_gets_its_view_provider(box, tmp_path):
     from advlayers_gui.view_provider import LayerMeshView
 
-    made = advlayers.make_layer_mesh(box, size=5.0)
-    quads = made.QuadCount
-    made.ViewObject.Proxy = 1  # what such a file leaves there
-    path = str(tmp_path / "saved.FCStd")
-    box.Document.saveCopy(path)
-    document = FreeCAD.openDocument(path)
+    box.Shape.exportStep(str(tmp_path / "box.step"))
+    job = tmp_path / "job.json"
+    job.write_text('{"input": "box.step", "size": 5.0, "outputs": ["box.FCStd"]}')
+    batch = os.path.join(ROOT, "App", "advlayers_batch.py")
+    done = subprocess.run(["freecadcmd", batch, str(job)], stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    document = FreeCAD.openDocument(str(tmp_path / "box.FCStd"))
     events()
     try:
         restored = document.getObject("LayerMesh")
         assert isinstance(restored.ViewObject.Proxy, LayerMeshView)
-        assert restored.QuadCount == restored.FemMesh.QuadrangleCount == quads
+        assert restored.QuadCount == restored.FemMesh.QuadrangleCount > 0
         assert restored.State == layer_mesh.UP_TO_DATE
+        FreeCADGui.getDocument(document.Name).setEdit(restored.Name)
+        events()
+        assert FreeCADGui.Control.activeDialog()
+        press(QtGui.QDialogButtonBox.Cancel)
+        assert restored.QuadCount == restored.FemMesh.QuadrangleCount > 0
     finally:
         FreeCAD.closeDocument(document.Name)
         FreeCAD.setActiveDocument("GuiTest")
