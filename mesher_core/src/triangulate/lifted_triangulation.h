@@ -35,7 +35,8 @@ struct Metric {
 
 struct LiftedVertex {
   SurfacePoint point;
-  Vec3 normal;  // of the surface; on a border that ends in an unresolved nose, of the surface beside it
+  Vec3 normal;  // of the surface; on a border that ends in an unresolved nose, of the surface
+                // beside it
   Metric metric;
   double size = 0;   // wanted edge length [mm], graded
   double least = 0;  // what a long border nearby makes of it, however curved the surface [mm]

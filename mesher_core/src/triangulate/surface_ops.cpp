@@ -29,21 +29,21 @@ double SurfaceOps::score(FaceH f) const {
                         corner_at(mesh_.to(mesh_.next(h))));
 }
 
-double SurfaceOps::worst_about(VertexH v) const { return worst_with(v, corner_at(v)); }
+double SurfaceOps::standing_about(VertexH v) const { return standing_with(v, corner_at(v)); }
 
-// The worst score about v if it were at `moved`.
-double SurfaceOps::worst_with(VertexH v, const Corner& moved) const {
-  double worst = std::numeric_limits<double>::infinity();
+// The standing of the triangles about v if it were at `moved`.
+double SurfaceOps::standing_with(VertexH v, const Corner& moved) const {
+  Standing standing;
   const HalfedgeH first = mesh_.outgoing(v);
   HalfedgeH h = first;
   do {
     if (!mesh_.is_border(h)) {
-      worst = std::min(
-          worst, triangle_score(moved, corner_at(mesh_.to(h)), corner_at(mesh_.to(mesh_.next(h)))));
+      standing.add(
+          triangle_score(moved, corner_at(mesh_.to(h)), corner_at(mesh_.to(mesh_.next(h)))));
     }
     h = mesh_.rotate_cw(h);
   } while (h != first);
-  return worst;
+  return standing.value();
 }
 
 bool SurfaceOps::flip(HalfedgeH h) {
@@ -51,10 +51,13 @@ bool SurfaceOps::flip(HalfedgeH h) {
   const Corner a = corner_at(mesh_.from(h)), b = corner_at(mesh_.to(h));
   const Corner c = corner_at(mesh_.to(mesh_.next(h)));
   const Corner d = corner_at(mesh_.to(mesh_.next(SurfaceMesh::twin(h))));
-  const double before = std::min(triangle_score(a, b, c), triangle_score(b, a, d));
-  if (triangle_score(d, c, a) <= before + kGain || triangle_score(c, d, b) <= before + kGain) {
-    return false;
-  }
+  Standing before, after;
+  before.add(triangle_score(a, b, c));
+  before.add(triangle_score(b, a, d));
+  after.add(triangle_score(d, c, a));
+  if (before.value() >= 0.0 && after.value() <= before.value() + kGain) return false;
+  after.add(triangle_score(c, d, b));
+  if (after.value() <= before.value() + kGain) return false;
   mesh_.flip(h);
   return true;
 }
@@ -71,8 +74,8 @@ bool SurfaceOps::move(VertexH v, const Vec3& target, double enough) {
   SurfacePoint foot;
   Corner at;
   if (!place(v, target - step.dot(data.normal) * data.normal, foot, at)) return false;
-  const double before = worst_about(v);
-  if (worst_with(v, at) < std::min(before + kGain, enough)) return false;
+  const double before = standing_about(v);
+  if (standing_with(v, at) < std::min(before + kGain, enough)) return false;
   mesh_.data(v).point = foot;
   mesh_.data(v).normal = at.normal;
   return true;
@@ -99,7 +102,7 @@ Vec3 SurfaceOps::ideal_apex(VertexH a, VertexH b, VertexH v) const {
 
 bool SurfaceOps::optimize(VertexH v) {
   if (!movable(v)) return false;
-  const double before = worst_about(v);
+  const double before = standing_about(v);
   double worst = std::numeric_limits<double>::infinity();
   Vec3 mean_apex = Vec3::Zero(), worst_apex = Vec3::Zero();
   int count = 0;
@@ -125,7 +128,7 @@ bool SurfaceOps::optimize(VertexH v) {
   for (const Vec3& target : {Vec3(mean_apex / count), center_of_neighbours(v), worst_apex}) {
     for (const double share : {1.0, 0.5, 0.2}) {
       if (!place(v, here + share * (target - here), foot, at)) continue;
-      const double after = worst_with(v, at);
+      const double after = standing_with(v, at);
       if (after <= best) continue;
       best = after;
       best_foot = foot;
@@ -143,13 +146,15 @@ bool SurfaceOps::collapse(HalfedgeH h, double enough) {
   const VertexH v = mesh_.from(h), onto = mesh_.to(h);
   if (!movable(v) || mesh_.collapse_veto(h) != Veto::kNone) return false;
   const Corner moved = corner_at(onto);
-  const double needed = std::min(worst_about(v) + kGain, enough);
+  const double needed = std::min(standing_about(v) + kGain, enough);
+  Standing after;
   for (HalfedgeH o = mesh_.rotate_cw(h); o != h; o = mesh_.rotate_cw(o)) {
     const VertexH a = mesh_.to(o), b = mesh_.to(mesh_.next(o));
     const double wanted = (sizes_[a.index()] + sizes_[onto.index()]) / 2;
     if ((mesh_.position(a) - moved.xyz).norm() > kLongestMade * wanted) return false;
     if (a == onto || b == onto) continue;
-    if (triangle_score(moved, corner_at(a), corner_at(b)) < needed) return false;
+    after.add(triangle_score(moved, corner_at(a), corner_at(b)));
+    if (after.value() < needed) return false;
   }
   mesh_.collapse(h);
   return true;
@@ -163,15 +168,16 @@ bool SurfaceOps::split(HalfedgeH h, double enough) {
   if (!surface_.project(middle, mesh_.data(movable(a) ? a : b).point, data.point)) return false;
   data.normal = surface_.normal(data.point);
   const Corner at{data.point.xyz, data.normal}, ca = corner_at(a), cb = corner_at(b);
-  double before = std::numeric_limits<double>::infinity(), after = before;
+  Standing before, after;
   for (const HalfedgeH side : {h, SurfaceMesh::twin(h)}) {
     const Corner apex = corner_at(mesh_.to(mesh_.next(side)));
     const bool ahead = side == h;
     const Corner &from = ahead ? ca : cb, &to = ahead ? cb : ca;
-    before = std::min(before, triangle_score(from, to, apex));
-    after = std::min({after, triangle_score(from, at, apex), triangle_score(at, to, apex)});
+    before.add(triangle_score(from, to, apex));
+    after.add(triangle_score(from, at, apex));
+    after.add(triangle_score(at, to, apex));
   }
-  if (after < std::min(before + kGain, enough)) return false;
+  if (after.value() < std::min(before.value() + kGain, enough)) return false;
   const double wanted = wanted_length(h);
   const VertexH v = mesh_.split_edge(h, data);
   sizes_.resize(mesh_.vertex_capacity(), wanted);

@@ -18,7 +18,7 @@ class SurfaceOps {
   const SurfaceMesh& mesh() const { return mesh_; }
   bool movable(VertexH v) const { return mesh_.data(v).support == Support::kPatch; }
   double score(FaceH f) const;
-  double worst_about(VertexH v) const;
+  double standing_about(VertexH v) const;
   double wanted_length(HalfedgeH h) const {
     return (sizes_[mesh_.from(h).index()] + sizes_[mesh_.to(h).index()]) / 2;
   }
@@ -45,7 +45,7 @@ class SurfaceOps {
 
  private:
   Corner corner_at(VertexH v) const;
-  double worst_with(VertexH v, const Corner& moved) const;
+  double standing_with(VertexH v, const Corner& moved) const;
   bool place(VertexH v, const Vec3& target, SurfacePoint& foot, Corner& at);
   Vec3 ideal_apex(VertexH a, VertexH b, VertexH v) const;
 
