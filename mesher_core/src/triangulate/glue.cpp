@@ -164,7 +164,7 @@ class Gluer {
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (const auto& [sheet, a, b] : ends) {
       const PlanarTriangulation& mesh = sheets_[sheet].mesh();
-      const Side side = mesh.find_side(a, b);
+      const Side side = mesh.search_side(a, b);
       if (side.t < 0 || mesh.segment(side) >= 0) continue;
       sheets_[sheet].insert_on(side, (mesh.point(a) + mesh.point(b)) / 2);
     }

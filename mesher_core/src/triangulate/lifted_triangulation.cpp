@@ -107,7 +107,7 @@ void LiftedTriangulation::set_pole_sizes(const SheetSegment& pole) {
   const Vec2 middle = (p + q) / 2;
   const Vec2 inward = Vec2(-(q - p).y(), (q - p).x()).normalized();
   const double speed = std::sqrt(evaluate(middle).metric.squared(inward));
-  double away = target_.largest();
+  double away = target_.extent(sheet_.face);
   if (speed > 0) away /= speed;
   const double size = target_.at(evaluate(middle + away * inward).point);
   for (const int end : {pole.from, pole.to}) {

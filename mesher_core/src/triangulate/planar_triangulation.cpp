@@ -58,6 +58,16 @@ PlanarTriangulation::Side PlanarTriangulation::find_side(int a, int b) const {
   return {};
 }
 
+PlanarTriangulation::Side PlanarTriangulation::search_side(int a, int b) const {
+  if (const Side found = find_side(a, b); found.t >= 0) return found;
+  for (int t = 0; t < triangle_count(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      if (from({t, i}) == a && to({t, i}) == b) return {t, i};
+    }
+  }
+  return {};
+}
+
 // The neighbour across side i of t has t for `old_neighbour` from now on.
 void PlanarTriangulation::relink(int t, int i, int old_neighbour) {
   const int other = tri(t).n[i];

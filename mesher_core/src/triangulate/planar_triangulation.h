@@ -46,8 +46,11 @@ class PlanarTriangulation {
   int segment(Side s) const { return triangle(s.t).segment[s.i]; }
   // The same edge from the other side; t is -1 where there is none.
   Side opposite(Side s) const;
-  // The side a -> b; t is -1 where there is no such edge.
+  // The side a -> b, from among the triangles that hang together about a with triangle_of(a); t is
+  // -1 where there is no such edge.
   Side find_side(int a, int b) const;
+  // The same where the border may touch itself at a: looks at all triangles if need be.
+  Side search_side(int a, int b) const;
 
   // Whether the two triangles beside the edge form a strictly convex quad.
   bool flippable(Side s) const;

@@ -19,7 +19,11 @@ double TargetSize::at(const SurfacePoint& p) {
   if (evaluator_->model().face(p.face).kind == SurfaceKind::kPlane) return size_;
   const double curvature = evaluator_->max_curvature(p.face, p.u, p.v);
   if (!(curvature * size_ > chord_of_unit_radius_)) return size_;  // also where it is not a number
-  return std::max(chord_of_unit_radius_ / curvature, kSmallestShare * size_);
+  return std::max(chord_of_unit_radius_ / curvature, kSmallestShare * extent(p.face));
+}
+
+double TargetSize::extent(FaceId face) const {
+  return std::min(size_, std::sqrt(evaluator_->model().face(face).area));
 }
 
 }  // namespace advlayers

@@ -14,10 +14,12 @@ class TargetSize {
   TargetSize(Evaluator& evaluator, const Settings& settings);
 
   // min(size, chord that turns by curvature_angle at the largest curvature) [mm]; never less than a
-  // fixed share of `size`, so that tips and creases of no radius do not ask for endless refinement.
+  // fixed share of `extent`, so that tips and creases of no radius do not ask for endless
+  // refinement.
   double at(const SurfacePoint& p);
 
-  double largest() const { return size_; }
+  // The size, or the square root of the face's area if that is less [mm].
+  double extent(FaceId face) const;
 
  private:
   Evaluator* evaluator_;

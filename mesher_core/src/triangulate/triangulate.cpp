@@ -37,7 +37,7 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
 class BoundaryTriangulation {
  public:
   BoundaryTriangulation(const FaceSheet& sheet, const CancelFlag& cancel)
-      : sheet_(sheet), delaunay_(sheet.points, cancel) {}
+      : sheet_(sheet), delaunay_(sheet.points, cancel), overlapping_(sheet.segments.size(), 0) {}
 
   PlanarTriangulation run() {
     for (std::size_t i = 0; i < sheet_.segments.size(); ++i) constrain(static_cast<int>(i));
@@ -66,6 +66,7 @@ class BoundaryTriangulation {
     const auto conflict = delaunay_.constrain(a, b, i);
     if (conflict.crossed >= 0)
       coarse_.insert(coarse_.end(), {s.edge, segment(conflict.crossed).edge});
+    if (conflict.overlaps >= 0) overlapping_[static_cast<std::size_t>(i)] = 1;
     if (conflict.overlaps >= 0 && segment(conflict.overlaps).edge != s.edge) {
       coarse_.insert(coarse_.end(), {s.edge, segment(conflict.overlaps).edge});
     }
@@ -80,8 +81,19 @@ class BoundaryTriangulation {
   // After carving every segment has the face on its left. One that has not lies beyond another
   // segment that cuts a curve short.
   void find_segments_facing_away() {
-    for (const SheetSegment& s : sheet_.segments) {
-      if (delaunay_.mesh().find_side(s.from, s.to).t >= 0) continue;
+    std::vector<char> faces_inside(overlapping_);
+    const PlanarTriangulation& mesh = delaunay_.mesh();
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const int mark = mesh.segment({t, i});
+        if (mark >= 0 && mesh.from({t, i}) == segment(mark).from) {
+          faces_inside[static_cast<std::size_t>(mark)] = 1;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < sheet_.segments.size(); ++i) {
+      if (faces_inside[i]) continue;
+      const SheetSegment& s = sheet_.segments[i];
       coarse_.push_back(s.edge);
       const Vec2 middle = (point(s.from) + point(s.to)) / 2;
       const SheetSegment* nearest = nullptr;
@@ -105,6 +117,7 @@ class BoundaryTriangulation {
 
   const FaceSheet& sheet_;
   ConstrainedDelaunay delaunay_;
+  std::vector<char> overlapping_;  // segments that lie on another: the far side of a slit
   std::vector<EdgeId> coarse_;
 };
 

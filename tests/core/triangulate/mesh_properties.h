@@ -135,7 +135,8 @@ inline void expect_on_surface(const SurfaceMesh& mesh, Evaluator& evaluator) {
 struct Expected {
   double least_angle = 25 * kDegree;
   double deviation = 30 * kDegree;
-  double area_error = 0.0205;  // relative: a chord that turns by 20 degrees cuts off 2.02 % of a disc
+  double area_error =
+      0.0205;  // relative: a chord that turns by 20 degrees cuts off 2.02 % of a disc
 };
 
 inline void expect_sound(const Triangulation& made, PatchSurface& surface, Evaluator& evaluator,

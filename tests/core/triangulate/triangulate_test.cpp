@@ -11,44 +11,12 @@
 #include <gp_Ax2.hxx>
 
 #include "geometry/shapes.h"
-#include "triangulate/cut_edges.h"
-#include "triangulate/mesh_properties.h"
+#include "triangulate/face_by_face.h"
 
 namespace advlayers {
 namespace {
 
 using namespace test;
-
-// Meshes every face of a shape as a patch of its own, and expects what every patch has to fulfil.
-struct FaceByFace {
-  explicit FaceByFace(const TopoDS_Shape& shape, double size)
-      : model(model_of(shape)), evaluator(model) {
-    settings.size = size;
-    cut = cut_edges(evaluator, size, settings.curvature_angle);
-  }
-
-  Triangulation mesh(FaceId face) {
-    PatchSurface surface(evaluator, {face});
-    return triangulate(surface, evaluator, cut, settings, CancelFlag());
-  }
-
-  // Euler numbers by face.
-  void expect(const std::vector<int>& euler, const Expected& expected = {}) {
-    ASSERT_EQ(model.faces().size(), euler.size());
-    for (std::size_t i = 0; i < euler.size(); ++i) {
-      SCOPED_TRACE(face_name(FaceId(i)));
-      PatchSurface surface(evaluator, {FaceId(i)});
-      const Triangulation made = triangulate(surface, evaluator, cut, settings, CancelFlag());
-      EXPECT_TRUE(made.diagnostics.empty());
-      expect_sound(made, surface, evaluator, cut, settings, euler[i], expected);
-    }
-  }
-
-  Model model;
-  Evaluator evaluator;
-  Settings settings;
-  Discretization cut;
-};
 
 TEST(Triangulate, MeshesABox) {
   FaceByFace(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), 2).expect({1, 1, 1, 1, 1, 1});
@@ -109,6 +77,24 @@ TEST(Triangulate, MeshesAPlateWithHoles) {
                                                         : 2 - static_cast<int>(face.loops.size()));
   }
   faces.expect(euler);
+}
+
+TEST(Triangulate, ServesAnyScale) {
+  for (const double scale : {1e-3, 1e4}) {
+    SCOPED_TRACE(scale);
+    FaceByFace(BRepPrimAPI_MakeCylinder(10 * scale, 30 * scale).Shape(), 3 * scale)
+        .expect({0, 1, 1});
+  }
+}
+
+TEST(Triangulate, GivesTheSameMeshAgain) {
+  FaceByFace torus(BRepPrimAPI_MakeTorus(10, 3).Shape(), 1);
+  const Triangulation first = torus.mesh(FaceId(0)), second = torus.mesh(FaceId(0));
+  const auto a = triangles_of(first.mesh), b = triangles_of(second.mesh);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) ASSERT_EQ(a[i].x[k], b[i].x[k]);
+  }
 }
 
 TEST(Triangulate, StopsWhenAsked) {
