@@ -191,34 +191,25 @@ class Gluer {
     GluedMesh glued;
     make_vertices(glued);
     std::vector<std::vector<VertexH>> faces;
-    std::vector<std::tuple<VertexH, VertexH, EdgeId>> border;
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
         if (vanishes(s, t)) continue;
-        std::vector<VertexH> corners(3);
-        for (int i = 0; i < 3; ++i)
-          corners[static_cast<std::size_t>(i)] = vertex_of_corner(s, t, i);
-        for (int i = 0; i < 3; ++i) {
-          const SheetSide side{s, {t, i}};
-          if (!is_border(side)) continue;
-          border.emplace_back(corners[static_cast<std::size_t>(PlanarTriangulation::ccw(i))],
-                              corners[static_cast<std::size_t>(PlanarTriangulation::cw(i))],
-                              segment(side)->edge);
-        }
+        std::vector<VertexH> corners;
+        for (int i = 0; i < 3; ++i) corners.push_back(vertex_of_root_[root(corner(s, t, i))]);
         faces.push_back(std::move(corners));
       }
     }
     glued.mesh.build(faces);
-    for (const auto& [a, b, edge] : border) {
-      const HalfedgeH h = glued.mesh.find_halfedge(a, b);
+    // A border side of a triangle that vanishes at a pole is the far side of that triangle as well.
+    for_each_side([&](const SheetSide& side) {
+      if (!is_border(side)) return;
+      const HalfedgeH h = glued.mesh.find_halfedge(vertex_of_root_[root(from_corner(side))],
+                                                   vertex_of_root_[root(to_corner(side))]);
+      if (!h.valid()) throw InternalError("a border edge is lost at a pole");
       glued.mesh.set_frozen(h, true);
-      glued.mesh.set_curve(h, edge);
-    }
+      glued.mesh.set_curve(h, segment(side)->edge);
+    });
     return glued;
-  }
-
-  VertexH vertex_of_corner(std::size_t sheet, int t, int i) {
-    return vertex_of_root_[root(corner(sheet, t, i))];
   }
 
   void make_vertices(GluedMesh& glued) {

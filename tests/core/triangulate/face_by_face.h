@@ -19,7 +19,7 @@ struct FaceByFace {
 
   Triangulation mesh(FaceId face) { return mesh(std::vector<FaceId>{face}); }
   Triangulation mesh(const std::vector<FaceId>& faces) {
-    PatchSurface surface(evaluator, faces);
+    PatchSurface surface(evaluator, faces, settings.feature_angle);
     return triangulate(surface, evaluator, cut, settings, CancelFlag());
   }
 
@@ -27,7 +27,7 @@ struct FaceByFace {
   void expect_as_one(int euler, const Expected& expected = {}) {
     std::vector<FaceId> faces;
     for (std::size_t i = 0; i < model.faces().size(); ++i) faces.push_back(FaceId(i));
-    PatchSurface surface(evaluator, faces);
+    PatchSurface surface(evaluator, faces, settings.feature_angle);
     const Triangulation made = triangulate(surface, evaluator, cut, settings, CancelFlag());
     EXPECT_TRUE(made.diagnostics.empty());
     expect_sound(made, surface, evaluator, cut, settings, euler, expected);

@@ -102,13 +102,28 @@ TEST(TriangulateShapes, SizeBeyondTheCurvature) {
       .expect({0, 1, 1}, {3 * kDegree, 30 * kDegree, 0.05});
 }
 
-TEST(TriangulateShapes, SmoothFacesBecomeOne) {
+// A box with all its edges rounded: planes, quarter cylinders and eighths of spheres.
+TopoDS_Shape rounded_box() {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 8, 6).Shape();
   BRepFilletAPI_MakeFillet fillet(box);
   for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More(); edge.Next()) {
     fillet.Add(1.5, TopoDS::Edge(edge.Current()));
   }
-  FaceByFace(fillet.Shape(), 0.7).expect_as_one(2);
+  return fillet.Shape();
+}
+
+TEST(TriangulateShapes, SmoothFacesBecomeOne) {
+  FaceByFace faces(rounded_box(), 0.7);
+  faces.settings.feature_angle = 20;
+  faces.expect_as_one(2);
+}
+
+// The eighths of spheres have a pole on their border.
+TEST(TriangulateShapes, PolesOnTheBorder) {
+  for (const double size : {0.3, 0.7, 2.0}) {
+    SCOPED_TRACE(size);
+    FaceByFace(rounded_box(), size).expect(std::vector<int>(26, 1), {15 * kDegree});
+  }
 }
 
 // A slit bounds the face on both its sides.
