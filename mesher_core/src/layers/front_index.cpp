@@ -1,3 +1,5 @@
+// Boost 1.74 includes headers of its own that it has deprecated; it says so at every build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include "layers/front_index.h"
 
 #include <algorithm>
