@@ -6,6 +6,7 @@
 #include "mesher/wall_report.h"
 #include "quality/core_improvement.h"
 #include "quality/core_region.h"
+#include "quality/inversion.h"
 #include "quality/recombine.h"
 #include "triangulate/triangulate.h"
 
@@ -18,26 +19,6 @@ void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
   for (std::size_t k = 0; k < kCount; ++k) {
     if (counts[k] > 0) total[name(static_cast<Kind>(k))] += counts[k];
   }
-}
-
-// True where the element is turned over against the surface under its centroid. The corners'
-// normals decide where they all agree with the element; only then is the projection spared.
-bool is_inverted(const SurfaceMesh& mesh, FaceH f, const ElementCorners& element,
-                 PatchSurface& surface) {
-  constexpr double kClearlyUpright = 0.3;  // cosine
-  const Vec3 area = area_vector(element);
-  const double size = area.norm();
-  if (size <= 0.0) return true;
-  bool upright = true;
-  HalfedgeH h = mesh.halfedge(f);
-  for (int k = 0; k < element.count; ++k, h = mesh.next(h)) {
-    upright = upright && mesh.data(mesh.to(h)).normal.dot(area) > kClearlyUpright * size;
-  }
-  if (upright) return false;
-  SurfacePoint foot;
-  const SurfacePoint& seed = mesh.data(mesh.to(h)).point;
-  if (!surface.project(centroid(element), seed, foot)) return false;
-  return surface.normal(foot).dot(area) < 0.0;
 }
 
 // Why a triangle is left: a layer lost an edge of its front there; fronts met and left no vertex
@@ -164,6 +145,7 @@ void PatchJob::finish(const CancelFlag& cancel) {
     return_to_core(mesh_);
     improve_core(mesh_, surface_, cancel);
     if (settings_->core == CoreElements::kQuads) recombine(mesh_, surface_, cancel);
+    mend_inverted(mesh_, surface_, cancel);
     return_to_core(mesh_);
   });
 }
@@ -190,7 +172,7 @@ void PatchJob::count_elements() {
     if (!mesh_.alive(f)) continue;
     const ElementCorners element = corners_of(mesh_, f);
     counts_.add(element, mesh_.data(f).layer);
-    if (is_inverted(mesh_, f, element, surface_)) {
+    if (is_inverted(mesh_, f, surface_)) {
       counts_.add_inverted();
       inverted_.push_back(f);
     }

@@ -1,0 +1,19 @@
+// Elements that are turned over against the surface, and their repair.
+#pragma once
+
+#include "base/cancel.h"
+#include "geometry/patch_surface.h"
+#include "mesh/surface_mesh.h"
+
+namespace advlayers {
+
+// True where the element's normal points against the surface's at the foot of its centroid, or
+// where it has no area. The measure of the report and the bars.
+bool is_inverted(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface);
+
+// Tries to turn inverted elements back by flips, by cutting the pentagon with a neighbour anew, by
+// dividing quads: whichever leaves fewer inverted. Layers are cut into where nothing else helps;
+// the border stays. Returns the number of elements still inverted. Throws Cancelled.
+int mend_inverted(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel);
+
+}  // namespace advlayers
