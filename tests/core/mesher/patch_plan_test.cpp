@@ -88,6 +88,7 @@ TEST(PatchPlan, FacesThatMeetSmoothlyAreOnePatch) {
   Settings settings;
   settings.size = 1.0;
   settings.first_height = 0.1;
+  settings.feature_angle = 20.0;
   const auto patches = group_faces(model, settings);
   ASSERT_EQ(patches.size(), 5u);
   std::size_t largest = 0;
