@@ -41,8 +41,8 @@ class Evaluator {
   // Throws GeometryError for a face with a defect.
   SurfacePoint closest(FaceId face, const Vec3& xyz);
 
-  // Whether (u, v) lies on the trimmed face, by whole periods if need be. Next to the boundary,
-  // within about a thousandth of an edge's sagitta, either answer may come.
+  // Whether (u, v) lies on the trimmed face, by whole periods if need be. The boundary is a polygon
+  // here, within 1e-4 of the face's extent: as near to it as that, either answer may come.
   bool inside(FaceId face, double u, double v);
 
   // Walks `length` [mm] from `from` along the face's untrimmed surface, as straight as it allows;
