@@ -81,7 +81,8 @@ MESH_SETTINGS = (
     ),
     Setting(
         "match", "edges", (),
-        "Boundary edges that layers run along, where walls alone do not tell.",
+        "Boundary edges that layers are to run along. Meshed like off edges so far: layers end one "
+        "segment before them.",
         property="MatchEdges", property_type="App::PropertyStringList", group="Layers",
     ),
     Setting(
