@@ -122,7 +122,8 @@ TEST(TriangulateShapes, SmoothFacesBecomeOne) {
 TEST(TriangulateShapes, PolesOnTheBorder) {
   for (const double size : {0.3, 0.7, 2.0}) {
     SCOPED_TRACE(size);
-    FaceByFace(rounded_box(), size).expect(std::vector<int>(26, 1), {15 * kDegree, 30 * kDegree, 0.03});
+    FaceByFace(rounded_box(), size)
+        .expect(std::vector<int>(26, 1), {15 * kDegree, 30 * kDegree, 0.03});
   }
 }
 
