@@ -369,7 +369,8 @@ FaceH SurfaceMesh::combine(HalfedgeH h) {
 
 HalfedgeH SurfaceMesh::divide(FaceH quad, VertexH v) {
   HalfedgeH va = halfedge(quad);
-  while (from(va) != v) va = next(va);
+  for (int k = 0; k < 4 && from(va) != v; ++k) va = next(va);
+  if (from(va) != v || is_triangle(va)) throw InternalError("divide: no quad with this corner");
   const HalfedgeH ac = next(va), cb = next(ac), bv = next(cb);
   const VertexH c = to(ac);
   const HalfedgeH vc = add_edge(v, c);

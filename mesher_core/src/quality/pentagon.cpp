@@ -43,7 +43,10 @@ bool recut(SurfaceMesh& mesh, HalfedgeH shared, PentagonCut cut) {
     mesh.combine(seam);
     return true;
   }
-  if (seam == diagonal) mesh.flip(shared);
+  if (seam == diagonal) {
+    // Only four flips in all give the half-edge its first direction back, which callers rely on.
+    for (int k = 0; k < 3; ++k) mesh.flip(shared);
+  }
   mesh.combine(diagonal);
   return false;
 }
