@@ -23,7 +23,7 @@ namespace advlayers {
 namespace {
 
 // Times that the edges of a face may be halved where they are too coarse for it.
-constexpr int kMostHalvings = 6;
+constexpr std::size_t kMostHalvings = 6;
 
 using Clock = std::chrono::steady_clock;
 
@@ -50,7 +50,9 @@ class Stopwatch {
 struct Mesher::Impl {
   Impl(const Model& the_model, const Settings& the_settings);
   void start();
+  using AskedEdges = std::vector<std::vector<EdgeId>>;  // by patch: edges it finds too coarse
   void triangulate_all();
+  std::set<EdgeId> halve(const AskedEdges& asked, const std::vector<char>& chosen);
   void advance_all();
   void report_idle_walls(std::vector<Diagnostic>& diagnostics) const;
   MeshResult finish();
@@ -116,26 +118,47 @@ void Mesher::Impl::start() {
   started = true;
 }
 
-// Where the boundary turns out to be cut too coarsely for a face, its edges are halved, and every
-// patch beside them starts again.
+// Where the boundary turns out to be cut too coarsely for a face, its edges are halved until it is
+// not. A face that stays so however finely its edges are cut (they cross each other) is given up,
+// and no edge is halved for its sake: its neighbours would pay for it.
 void Mesher::Impl::triangulate_all() {
+  std::vector<AskedEdges> rounds;
   std::vector<char> waiting(jobs.size(), 1);
-  for (int round = 0; round <= kMostHalvings; ++round) {
-    std::vector<std::vector<EdgeId>> too_coarse(jobs.size());
+  const Discretization first_cut = boundary;
+  while (true) {
+    AskedEdges asked(jobs.size());
     for_each_job([&](PatchJob& job, std::size_t index) {
-      if (waiting[index]) too_coarse[index] = job.triangulate(boundary, cancel);
+      if (waiting[index]) asked[index] = job.triangulate(boundary, cancel);
     });
-    std::set<EdgeId> coarse;
-    for (const auto& edges : too_coarse) coarse.insert(edges.begin(), edges.end());
-    if (coarse.empty() || round == kMostHalvings) return;
-    Evaluator evaluator(model);
-    halve_edges(evaluator, {coarse.begin(), coarse.end()}, boundary);
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-      waiting[i] = !too_coarse[i].empty() ||
-                   std::any_of(coarse.begin(), coarse.end(),
-                               [&](EdgeId edge) { return jobs[i]->borders_on(edge); });
-    }
+    for (std::size_t i = 0; i < jobs.size(); ++i) waiting[i] = !asked[i].empty();
+    if (std::find(waiting.begin(), waiting.end(), 1) == waiting.end()) break;
+    if (rounds.size() == kMostHalvings) break;
+    halve(asked, waiting);
+    rounds.push_back(std::move(asked));
   }
+  if (rounds.empty()) return;
+  std::vector<char> cured(waiting);
+  for (char& c : cured) c = c ? 0 : 1;
+  boundary = first_cut;
+  std::set<EdgeId> halved;
+  for (const AskedEdges& asked : rounds) halved.merge(halve(asked, cured));
+  for_each_job([&](PatchJob& job, std::size_t index) {
+    const auto beside = [&](EdgeId edge) { return job.borders_on(edge); };
+    if (cured[index] && std::any_of(halved.begin(), halved.end(), beside)) {
+      job.triangulate(boundary, cancel);
+    }
+  });
+}
+
+// Halves the edges that the chosen patches ask for, each once; returns them.
+std::set<EdgeId> Mesher::Impl::halve(const AskedEdges& asked, const std::vector<char>& chosen) {
+  std::set<EdgeId> edges;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (chosen[i]) edges.insert(asked[i].begin(), asked[i].end());
+  }
+  Evaluator evaluator(model);
+  halve_edges(evaluator, {edges.begin(), edges.end()}, boundary);
+  return edges;
 }
 
 // One layer on every patch that still grows.
