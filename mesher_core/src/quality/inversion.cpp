@@ -62,13 +62,25 @@ bool is_turned_over(const SurfaceMesh& mesh, const Corners& corners, PatchSurfac
   return false;
 }
 
-// True for what mending is to remove: elements turned over, and quads with a corner turned back.
+// True where a corner of a quad turns back, against the surface at its corners or against the
+// quad's own normal: over a bend the one says nothing of the other.
+template <class Corners>
+bool has_folded_corner(const SurfaceMesh& mesh, const Corners& v) {
+  Vec3 normal = Vec3::Zero();
+  for (const VertexH corner : v) normal += mesh.data(corner).normal;
+  for (const Vec3& against : {normal, area_of(mesh, v)}) {
+    if (right_angle_quality(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]),
+                            mesh.position(v[v.size() - 1]), against) < 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// True for what mending is to remove.
 template <class Corners>
 bool is_faulty_shape(const SurfaceMesh& mesh, const Corners& v, PatchSurface& surface) {
-  if (is_turned_over(mesh, v, surface)) return true;
-  return v.size() == 4 &&
-         right_angle_quality(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]),
-                             mesh.position(v[v.size() - 1]), area_of(mesh, v)) < 0.0;
+  return is_turned_over(mesh, v, surface) || (v.size() == 4 && has_folded_corner(mesh, v));
 }
 
 class Mender {
