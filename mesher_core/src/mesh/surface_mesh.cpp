@@ -1,7 +1,6 @@
 #include "mesh/surface_mesh.h"
 
 #include <string>
-#include <unordered_map>
 
 #include "base/error.h"
 
@@ -93,23 +92,29 @@ void SurfaceMesh::remove_vertex(VertexH v) {
 }
 
 void SurfaceMesh::build(const std::vector<std::vector<VertexH>>& faces) {
-  std::unordered_map<std::uint64_t, HalfedgeH> directed;
-  directed.reserve(4 * faces.size());
-  const auto key = [](VertexH a, VertexH b) {
-    return static_cast<std::uint64_t>(a.index()) << 32 | static_cast<std::uint64_t>(b.index());
+  // Half-edges so far, chained by the vertex they start from: a hash map of all would cost more
+  // than the rest of the building.
+  std::vector<HalfedgeH> newest(vertex_out_.size()), older(to_.size());
+  const auto find = [&](VertexH a, VertexH b) {
+    HalfedgeH h = newest[a.index()];
+    while (h.valid() && to(h) != b) h = older[h.index()];
+    return h;
+  };
+  const auto chain = [&](HalfedgeH h) {
+    older[h.index()] = newest[from(h).index()];
+    newest[from(h).index()] = h;
   };
   for (const auto& corners : faces) {
     const FaceH f = add_face();
     HalfedgeH first, last;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const VertexH a = corners[k], b = corners[(k + 1) % corners.size()];
-      HalfedgeH h;
-      if (const auto found = directed.find(key(a, b)); found != directed.end()) {
-        h = found->second;
-      } else {
+      HalfedgeH h = find(a, b);
+      if (!h.valid()) {
         h = add_edge(a, b);
-        directed.emplace(key(a, b), h);
-        directed.emplace(key(b, a), twin(h));
+        older.resize(to_.size());
+        chain(h);
+        chain(twin(h));
       }
       if (face(h).valid()) throw InternalError("two faces on one side of a mesh edge");
       face_[h.index()] = f;

@@ -48,6 +48,12 @@ class Gluer {
     const SheetSegment* on = segment(s);
     return on != nullptr && !on->inner && !on->pole;
   }
+  // Gluing cannot double an edge between two points inside of a sheet.
+  bool is_inside(const SheetSide& s) const {
+    const LiftedTriangulation& sheet = sheets_[s.sheet];
+    return !sheet.vertex(sheet.mesh().from(s.side)).node.valid() &&
+           !sheet.vertex(sheet.mesh().to(s.side)).node.valid();
+  }
   bool vanishes(std::size_t sheet, int t) const { return sheets_[sheet].vanishes(t); }
 
   // --- corners of triangles, united to vertices ---
@@ -137,7 +143,7 @@ class Gluer {
       if (on_a != nullptr && on_b != nullptr) throw too_coarse(*on_a, *on_b, a.sheet);
     };
     for_each_side([&](const SheetSide& s) {
-      if (vanishes(s.sheet, s.side.t)) return;
+      if (is_inside(s) || vanishes(s.sheet, s.side.t)) return;
       const std::size_t a = root(from_corner(s)), b = root(to_corner(s));
       if (a == b) {
         spoil(s, s);

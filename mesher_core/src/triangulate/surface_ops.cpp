@@ -47,7 +47,7 @@ double SurfaceOps::standing_with(VertexH v, const Corner& moved) const {
 }
 
 bool SurfaceOps::flip(HalfedgeH h) {
-  if (mesh_.flip_veto(h) != Veto::kNone) return false;
+  if (mesh_.is_border(h) || mesh_.is_border(SurfaceMesh::twin(h))) return false;
   const Corner a = corner_at(mesh_.from(h)), b = corner_at(mesh_.to(h));
   const Corner c = corner_at(mesh_.to(mesh_.next(h)));
   const Corner d = corner_at(mesh_.to(mesh_.next(SurfaceMesh::twin(h))));
@@ -58,6 +58,8 @@ bool SurfaceOps::flip(HalfedgeH h) {
   if (before.value() >= 0.0 && after.value() <= before.value() + kGain) return false;
   after.add(triangle_score(c, d, b));
   if (after.value() <= before.value() + kGain) return false;
+  // Asked last: most edges are refused by what is cheaper to know.
+  if (mesh_.flip_veto(h) != Veto::kNone) return false;
   mesh_.flip(h);
   return true;
 }
