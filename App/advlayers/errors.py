@@ -12,3 +12,7 @@ class InputError(ValueError):
 
 class CoreMissing(RuntimeError):
     """The compiled core is not there, or not for this Python."""
+
+
+class Stopped(Exception):
+    """The work was stopped on request."""

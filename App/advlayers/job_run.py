@@ -34,7 +34,7 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
         mesher = core.Mesher(cad.model, core_settings(core, job.settings, cad.model.diagonal))
     except core.InvalidInput as error:
         raise InputError("", str(error)) from error
-    mesh = Run(mesher).finish(lambda reports: watch("meshing", reports))
+    mesh = Run(lambda: mesher).finish(lambda reports: watch("meshing", reports))
     seconds.update(mesh.seconds)
 
     watch("writing", [])
@@ -92,7 +92,8 @@ def _add_document(job: Job, cad: cad_input.Cad, product: export.Product) -> None
     source.Label = cad.label or "Shape"
     source.Shape = cad.shape
     mesh_object = layer_mesh.create(source, **job.settings)
-    layer_mesh.set_mesh(mesh_object, product.mesh, product.fem_mesh)
+    layer_mesh.set_mesh(mesh_object, product.mesh, product.fem_mesh,
+                        layer_mesh.made_from(mesh_object))
     product.document.recompute()
 
 

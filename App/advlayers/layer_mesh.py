@@ -6,6 +6,7 @@ The module's and the class's name are part of saved files.
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Mapping, Optional
 
 import FreeCAD
@@ -107,22 +108,56 @@ def create(source, **settings):
     return created
 
 
+@dataclass(frozen=True)
+class MadeFrom:
+    """What a mesh is compared with to tell whether it is out of date."""
+
+    settings: str
+    points: List[float]
+
+
+@dataclass(frozen=True)
+class Task:
+    """All that one run needs, read from the document beforehand: the document may change while the
+    mesher is at work, and the mesh then belongs to what was read."""
+
+    settings: Dict[str, Any]  # checked
+    brep: str
+    made_from: MadeFrom
+
+    def make_mesher(self, core):
+        """Reads the shape; may run in any thread. Raises what the core raises."""
+        model = core.read_brep(self.brep)
+        return core.Mesher(model, core_settings(core, self.settings, model.diagonal))
+
+    def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):
+        return fem_mesh.to_fem_mesh(mesh, self.settings["groups"], check)
+
+
+def prepare(document_object) -> Task:
+    """Raises InputError."""
+    settings = settings_of(document_object)
+    shape = _shape_of(document_object)
+    check_names(settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
+    return Task(settings, shape.exportBrepToString(), made_from(document_object))
+
+
+def made_from(document_object) -> MadeFrom:
+    return MadeFrom(freshness.settings_text(_raw_settings(document_object)),
+                    freshness.shape_points(cad_input.global_shape(document_object.Part)))
+
+
 def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None) -> None:
     """Meshes with the settings as they stand. `watch` gets the core's reports on the way; what it
     raises stops the run and leaves the old mesh. Raises InputError, or what the core raises."""
     core = load_core()
-    settings = settings_of(document_object)
-    shape = _shape_of(document_object)
-    check_names(settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
-    text = shape.exportBrepToString()
-    model = core.read_brep(text)
-    mesher = core.Mesher(model, core_settings(core, settings, model.diagonal))
-    mesh = Run(mesher).finish(watch or (lambda _reports: None))
-    set_mesh(document_object, mesh, fem_mesh.to_fem_mesh(mesh, settings["groups"]))
+    task = prepare(document_object)
+    mesh = Run(lambda: task.make_mesher(core)).finish(watch or (lambda _reports: None))
+    set_mesh(document_object, mesh, task.make_fem_mesh(mesh), task.made_from)
 
 
-def set_mesh(document_object, mesh, fem) -> None:
-    """Stores a finished mesh of the object's settings and shape."""
+def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
+    """Stores a finished mesh of the settings and the shape that `origin` tells."""
     document_object.FemMesh = fem
     figures = mesh.figures
     document_object.NodeCount = figures["nodes"]
@@ -135,9 +170,7 @@ def set_mesh(document_object, mesh, fem) -> None:
     document_object.InvertedCount = figures["inverted"]
     document_object.Messages = [
         f"{entry['severity']}: {entry['text']} ({entry['code']})" for entry in mesh.diagnostics]
-    document_object.MeshedSettings = freshness.settings_text(_raw_settings(document_object))
-    document_object.MeshedShape = freshness.shape_points(
-        cad_input.global_shape(document_object.Part))
+    document_object.MeshedSettings, document_object.MeshedShape = origin.settings, origin.points
     refresh_state(document_object)
 
 

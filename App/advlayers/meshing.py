@@ -5,6 +5,8 @@ import queue
 import threading
 from typing import Any, Callable, Dict, List, Mapping, Optional
 
+from advlayers.errors import Stopped
+
 
 def core_settings(core, settings: Mapping[str, Any], diagonal: float):
     """The core's Settings from every key of MESH_SETTINGS but groups, lengths filled in."""
@@ -35,42 +37,39 @@ def _wall(wall: Mapping[str, Any]) -> Dict[str, Any]:
 
 class Run:
     """Pulls the layers out of a core Mesher in a thread of its own, so that the calling thread
-    stays free for Ctrl-C, a progress line or a window's events."""
+    stays free for Ctrl-C, a progress line or a window's events.
 
-    def __init__(self, mesher) -> None:
-        self._mesher = mesher
+    What is handed in runs in that thread: `make_mesher` reads and checks; `on_layer` gets the
+    mesher after each report; `on_mesh` gets the finished mesh and a check() that raises once the
+    run was cancelled, and what it returns is the outcome of the run.
+    """
+
+    def __init__(self, make_mesher: Callable[[], Any],
+                 on_layer: Optional[Callable[[Any], None]] = None,
+                 on_mesh: Optional[Callable[[Any, Callable[[], None]], Any]] = None) -> None:
+        self._make_mesher, self._on_layer, self._on_mesh = make_mesher, on_layer, on_mesh
+        self._mesher: Any = None
         self._reports: "queue.Queue[Any]" = queue.Queue()
         self._thread = threading.Thread(target=self._pull, name="advlayers", daemon=True)
-        self._mesh: Any = None
+        self._cancelled = threading.Event()
+        self._outcome: Any = None
         self._error: Optional[BaseException] = None
 
-    def finish(self, watch: Callable[[List[Any]], None], interval: float = 0.1):
-        """Meshes to the end and returns the core's result. `watch` is called with the reports
-        that came in since its last call, every `interval` seconds or sooner; what it raises
-        cancels the run. Raises what the core raises."""
+    def start(self) -> None:
         self._thread.start()
-        try:
-            while self._thread.is_alive():
-                watch(self._collect(interval))
-            watch(self._collect(0.0))
-        except BaseException:
+
+    @property
+    def running(self) -> bool:
+        return self._thread.is_alive()
+
+    def cancel(self) -> None:
+        """Stops the work soon; returns at once."""
+        self._cancelled.set()
+        if self._mesher is not None:
             self._mesher.cancel()
-            self._thread.join()
-            raise
-        if self._error is not None:
-            raise self._error
-        return self._mesh
 
-    def _pull(self) -> None:
-        try:
-            for report in self._mesher:
-                self._reports.put(report)
-            self._mesh = self._mesher.result()
-        except BaseException as error:  # handed to the calling thread, whatever it is
-            self._error = error
-        self._reports.put(None)
-
-    def _collect(self, wait: float) -> List[Any]:
+    def reports(self, wait: float = 0.0) -> List[Any]:
+        """The reports since the last call; waits up to `wait` seconds for the first of them."""
         reports = []
         try:
             reports.append(self._reports.get(timeout=wait) if wait else self._reports.get_nowait())
@@ -79,3 +78,47 @@ class Run:
         except queue.Empty:
             pass
         return [report for report in reports if report is not None]
+
+    def outcome(self):
+        """Waits for the end; the mesh, or what `on_mesh` made of it. Raises what the core or one
+        of the functions handed in raised, Stopped after cancel()."""
+        self._thread.join()
+        if self._cancelled.is_set():
+            raise Stopped()
+        if self._error is not None:
+            raise self._error
+        return self._outcome
+
+    def finish(self, watch: Callable[[List[Any]], None], interval: float = 0.1):
+        """Meshes to the end and returns the outcome. `watch` is called with the reports that came
+        in since its last call, every `interval` seconds or sooner; what it raises cancels the run.
+        """
+        self.start()
+        try:
+            while self.running:
+                watch(self.reports(interval))
+            watch(self.reports())
+        except BaseException:
+            self.cancel()
+            self._thread.join()
+            raise
+        return self.outcome()
+
+    def _pull(self) -> None:
+        try:
+            self._mesher = self._make_mesher()
+            self._check()
+            for report in self._mesher:
+                self._reports.put(report)
+                if self._on_layer:
+                    self._on_layer(self._mesher)
+                self._check()
+            mesh = self._mesher.result()
+            self._outcome = self._on_mesh(mesh, self._check) if self._on_mesh else mesh
+        except BaseException as error:  # handed to the calling thread, whatever it is
+            self._error = error
+        self._reports.put(None)
+
+    def _check(self) -> None:
+        if self._cancelled.is_set():
+            raise Stopped()
