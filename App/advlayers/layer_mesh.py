@@ -14,7 +14,9 @@ import FreeCAD
 from advlayers import cad_input, fem_mesh, freshness
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
+from advlayers.layer_heights import height_errors
 from advlayers.meshing import Run, core_settings, default_lengths
+from advlayers.report import make_report
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS, Setting
 
@@ -36,10 +38,14 @@ _RESULTS = (
     ("MaxAngle", "App::PropertyAngle", "The largest corner angle."),
     ("InvertedCount", "App::PropertyInteger", "Elements turned over against the surface."),
     ("Messages", "App::PropertyStringList", "What the mesher had to say."),
+    ("Details", "App::PropertyString", "The report of the mesh, as a job writes it."),
+    ("HeightErrors", "App::PropertyFloatList",
+     "How far the height of each element of a layer is from the one asked for, relative to it; "
+     "NaN for the core."),
     ("MeshedSettings", "App::PropertyString", "The settings that the mesh was made with."),
     ("MeshedShape", "App::PropertyFloatList", "Points of the shape that was meshed."),
 )
-_HIDDEN_RESULTS = ("MeshedSettings", "MeshedShape")
+_HIDDEN_RESULTS = ("Details", "HeightErrors", "MeshedSettings", "MeshedShape")
 
 
 class LayerMesh:
@@ -112,7 +118,8 @@ def create(source, **settings):
 class MadeFrom:
     """What a mesh is compared with to tell whether it is out of date."""
 
-    settings: str
+    settings: Dict[str, Any]  # checked
+    settings_text: str
     points: List[float]
 
 
@@ -121,29 +128,30 @@ class Task:
     """All that one run needs, read from the document beforehand: the document may change while the
     mesher is at work, and the mesh then belongs to what was read."""
 
-    settings: Dict[str, Any]  # checked
     brep: str
     made_from: MadeFrom
 
     def make_mesher(self, core):
         """Reads the shape; may run in any thread. Raises what the core raises."""
         model = core.read_brep(self.brep)
-        return core.Mesher(model, core_settings(core, self.settings, model.diagonal))
+        return core.Mesher(model, core_settings(core, self.made_from.settings, model.diagonal))
 
     def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):
-        return fem_mesh.to_fem_mesh(mesh, self.settings["groups"], check)
+        return fem_mesh.to_fem_mesh(mesh, self.made_from.settings["groups"], check)
 
 
 def prepare(document_object) -> Task:
     """Raises InputError."""
-    settings = settings_of(document_object)
     shape = _shape_of(document_object)
-    check_names(settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
-    return Task(settings, shape.exportBrepToString(), made_from(document_object))
+    origin = made_from(document_object)
+    check_names(origin.settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
+    return Task(shape.exportBrepToString(), origin)
 
 
 def made_from(document_object) -> MadeFrom:
-    return MadeFrom(freshness.settings_text(_raw_settings(document_object)),
+    """Raises InputError."""
+    return MadeFrom(settings_of(document_object),
+                    freshness.settings_text(_raw_settings(document_object)),
                     freshness.shape_points(cad_input.global_shape(document_object.Part)))
 
 
@@ -170,7 +178,11 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
     document_object.InvertedCount = figures["inverted"]
     document_object.Messages = [
         f"{entry['severity']}: {entry['text']} ({entry['code']})" for entry in mesh.diagnostics]
-    document_object.MeshedSettings, document_object.MeshedShape = origin.settings, origin.points
+    document_object.Details = json.dumps(
+        make_report(document_object.Part.Label, mesh, origin.settings, [], mesh.seconds))
+    document_object.HeightErrors = height_errors(mesh).tolist()
+    document_object.MeshedSettings = origin.settings_text
+    document_object.MeshedShape = origin.points
     refresh_state(document_object)
 
 
