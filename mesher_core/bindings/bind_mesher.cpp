@@ -129,7 +129,8 @@ void bind_mesher(py::module_& module) {
           "cancel", [](MesherHandle& self) { self.mesher.cancel(); },
           "Stops the work, for good; may be called from any thread.")
       .def("snapshot", &snapshot_of,
-           "The Mesh as it stands, before result(); its walls and figures are not measured.")
+           "The Mesh as it stands, before result(); its walls and figures are not measured.\n\n"
+           "Raises Cancelled where cancel() comes meanwhile; after it, the mesh is still there.")
       .def("result", &result_of,
            "Finishes the core and gives the Mesh; the same object every time.\n\n"
            "May be called before the loop has ended: the layers so far are kept.");

@@ -175,7 +175,10 @@ class Mesher:
     def cancel(self) -> None:
         """Stops the work, for good; may be called from any thread."""
     def snapshot(self) -> Mesh:
-        """The Mesh as it stands, before result(); its walls and figures are not measured."""
+        """The Mesh as it stands, before result(); its walls and figures are not measured.
+
+        Raises Cancelled where cancel() comes meanwhile; after it, the mesh is still there.
+        """
     def result(self) -> Mesh:
         """Finishes the core and gives the Mesh; the same object every time.
 

@@ -11,8 +11,9 @@ constexpr int kUnused = -1;
 
 class Merger {
  public:
-  Merger(const std::vector<std::unique_ptr<PatchJob>>& jobs, const Discretization& boundary)
-      : jobs_(jobs), boundary_(boundary) {}
+  Merger(const std::vector<std::unique_ptr<PatchJob>>& jobs, const Discretization& boundary,
+         const CancelFlag& cancel)
+      : jobs_(jobs), boundary_(boundary), cancel_(cancel) {}
   MeshResult run();
 
  private:
@@ -24,6 +25,7 @@ class Merger {
 
   const std::vector<std::unique_ptr<PatchJob>>& jobs_;
   const Discretization& boundary_;
+  const CancelFlag& cancel_;
   std::vector<int> boundary_number_;  // by NodeId
   std::vector<char> edge_used_;       // by EdgeId: a meshed patch has it on its border
   MeshResult result_;
@@ -57,6 +59,7 @@ void Merger::number_boundary_nodes() {
 void Merger::add_nodes(const SurfaceMesh& mesh, std::vector<int>& number) {
   number.assign(mesh.vertex_capacity(), kUnused);
   for (std::size_t i = 0; i < number.size(); ++i) {
+    cancel_.check();
     const VertexH v(i);
     if (!mesh.alive(v)) continue;
     const VertexData& data = mesh.data(v);
@@ -85,6 +88,7 @@ void Merger::add_parents(const SurfaceMesh& mesh, const std::vector<int>& number
 void Merger::add_elements(const PatchJob& job, const std::vector<int>& number) {
   const SurfaceMesh& mesh = job.mesh();
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    cancel_.check();
     const FaceH f(i);
     if (!mesh.alive(f)) continue;
     std::array<int, 4> corner{};
@@ -139,9 +143,9 @@ MeshResult Merger::run() {
 
 }  // namespace
 
-MeshResult merge(const std::vector<std::unique_ptr<PatchJob>>& jobs,
-                 const Discretization& boundary) {
-  return Merger(jobs, boundary).run();
+MeshResult merge(const std::vector<std::unique_ptr<PatchJob>>& jobs, const Discretization& boundary,
+                 const CancelFlag& cancel) {
+  return Merger(jobs, boundary, cancel).run();
 }
 
 }  // namespace advlayers

@@ -195,9 +195,9 @@ MeshResult Mesher::Impl::finish() {
   const Stopwatch watch(seconds["core"]);
   for_each_job([this](PatchJob& job, std::size_t) {
     job.finish(cancel);
-    job.measure();
+    job.measure(cancel);
   });
-  MeshResult result = merge(jobs, boundary);
+  MeshResult result = merge(jobs, boundary, cancel);
   FigureCounts counts;
   for (const auto& job : jobs) {
     counts.add(job->counts());
@@ -236,7 +236,9 @@ void Mesher::cancel() { impl_->cancel.request(); }
 MeshResult Mesher::snapshot() const {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
   if (impl_->finished) throw InvalidInput("there is no snapshot after result(): it gave the mesh");
-  MeshResult result = merge(impl_->jobs, impl_->boundary);
+  const CancelFlag never;
+  const CancelFlag& cancel = impl_->cancel.requested() ? never : impl_->cancel;
+  MeshResult result = merge(impl_->jobs, impl_->boundary, cancel);
   result.seconds = impl_->seconds;
   return result;
 }

@@ -30,6 +30,7 @@ class Mesher {
   void cancel();
 
   // The mesh as it stands, at any time before result(); its walls and figures are not measured.
+  // Throws Cancelled where the stop is asked for meanwhile; one asked for before leaves the mesh.
   MeshResult snapshot() const;
   // Finishes the core (improves, recombines), measures, and gives the mesh. Call once; meshes what
   // next() has not been asked for yet up to the triangulation. Throws Cancelled.

@@ -150,10 +150,10 @@ void PatchJob::finish(const CancelFlag& cancel) {
   });
 }
 
-void PatchJob::measure() {
+void PatchJob::measure(const CancelFlag& cancel) {
   if (!meshed_) return;
   guard("not-measured", [&] {
-    count_elements();
+    count_elements(cancel);
     judge_inverted();
     wall_reports_ = measure_walls(mesh_, surface_, walls_, stops_, report_.layers);
     for (WallReport& wall : wall_reports_) {
@@ -162,12 +162,13 @@ void PatchJob::measure() {
   });
 }
 
-void PatchJob::count_elements() {
+void PatchJob::count_elements(const CancelFlag& cancel) {
   counts_ = FigureCounts();
   inverted_.clear();
   report_.quads = report_.triangles = 0;
   report_.triangles_by_cause.clear();
   for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
+    cancel.check();
     const FaceH f(i);
     if (!mesh_.alive(f)) continue;
     const ElementCorners element = corners_of(mesh_, f);

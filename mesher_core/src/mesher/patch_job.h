@@ -28,7 +28,7 @@ class PatchJob {
   std::vector<EdgeId> triangulate(const Discretization& boundary, const CancelFlag& cancel);
   bool advance(LayerReport& report, const CancelFlag& cancel);  // false: no front is left
   void finish(const CancelFlag& cancel);
-  void measure();
+  void measure(const CancelFlag& cancel);
 
   bool meshed() const { return meshed_; }
   bool borders_on(EdgeId edge) const { return walls_.edges.count(edge) > 0; }
@@ -51,7 +51,7 @@ class PatchJob {
   bool guard(const char* code, const Stage& stage);
   void complain(Severity severity, const char* code, const std::string& text);
   void end_layers();
-  void count_elements();
+  void count_elements(const CancelFlag& cancel);
   void judge_inverted();
 
   PatchId id_;

@@ -268,18 +268,23 @@ bool WeightExchange::improve(int node) {
 
 }  // namespace
 
-std::vector<int> match_pairs(int nodes, const std::vector<PairEdge>& edges) {
+std::vector<int> match_pairs(int nodes, const std::vector<PairEdge>& edges,
+                             const CancelFlag& cancel) {
   Pairing pairing(nodes, edges);
   match_greedily(pairing);
   AugmentingSearch search(pairing);
   for (int node = 0; node < nodes; ++node) {
+    cancel.check();
     if (pairing.mate(node) == kNone) search.augment(node);
   }
   WeightExchange exchange(pairing);
   bool improved = true;
   for (int pass = 0; improved && pass < kExchangePasses; ++pass) {
     improved = false;
-    for (int node = 0; node < nodes; ++node) improved = exchange.improve(node) || improved;
+    for (int node = 0; node < nodes; ++node) {
+      cancel.check();
+      improved = exchange.improve(node) || improved;
+    }
   }
   return pairing.matched;
 }

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "base/cancel.h"
+
 namespace advlayers {
 
 struct PairEdge {
@@ -14,7 +16,8 @@ struct PairEdge {
 };
 
 // The matched edge of each node as an index into `edges`; -1: alone. Deterministic.
-// Throws InternalError where a node has more than three edges.
-std::vector<int> match_pairs(int nodes, const std::vector<PairEdge>& edges);
+// Throws InternalError where a node has more than three edges, and Cancelled.
+std::vector<int> match_pairs(int nodes, const std::vector<PairEdge>& edges,
+                             const CancelFlag& cancel);
 
 }  // namespace advlayers

@@ -31,7 +31,7 @@ double pair_quality(const SurfaceMesh& mesh, HalfedgeH h) {
                       mesh.to(mesh.next(h)));
 }
 
-Candidates find_candidates(const SurfaceMesh& mesh) {
+Candidates find_candidates(const SurfaceMesh& mesh, const CancelFlag& cancel) {
   Candidates found;
   std::vector<int> node(mesh.face_capacity(), -1);
   const auto node_of = [&](FaceH f) {
@@ -43,6 +43,7 @@ Candidates find_candidates(const SurfaceMesh& mesh) {
     return number;
   };
   for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
+    cancel.check();
     const HalfedgeH h(i);
     if (!mesh.alive(h) || mesh.combine_veto(h) != Veto::kNone) continue;
     const double quality = pair_quality(mesh, h);
@@ -60,10 +61,11 @@ void combine_pair(SurfaceMesh& mesh, HalfedgeH diagonal) {
   mesh.data(mesh.combine(diagonal)).layer = layer;
 }
 
-void pair_triangles(SurfaceMesh& mesh) {
-  const Candidates found = find_candidates(mesh);
-  const auto matched = match_pairs(static_cast<int>(found.face.size()), found.pairs);
+void pair_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
+  const Candidates found = find_candidates(mesh, cancel);
+  const auto matched = match_pairs(static_cast<int>(found.face.size()), found.pairs, cancel);
   for (std::size_t e = 0; e < found.pairs.size(); ++e) {
+    cancel.check();
     if (matched[static_cast<std::size_t>(found.pairs[e].a)] != static_cast<int>(e)) continue;
     const HalfedgeH diagonal = found.diagonal[e];
     if (mesh.combine_veto(diagonal) == Veto::kNone) combine_pair(mesh, diagonal);
@@ -73,8 +75,7 @@ void pair_triangles(SurfaceMesh& mesh) {
 }  // namespace
 
 void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
-  cancel.check();
-  pair_triangles(mesh);
+  pair_triangles(mesh, cancel);
   const std::vector<VertexH> free = free_vertices(mesh), seam = seam_vertices(mesh);
   for (int round = 0; round < kRounds; ++round) {
     const int joined = join_triangles(mesh, cancel);

@@ -64,9 +64,11 @@ Diagnostic diagnostic(Severity severity, const std::string& code, FaceId face, c
 
 }  // namespace
 
-std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& surface) {
+std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
+                                        const CancelFlag& cancel) {
   std::map<FaceId, Offence> inverted, deviating;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    cancel.check();
     const FaceH f(i);
     if (!mesh.alive(f)) continue;
     const HalfedgeH h = mesh.halfedge(f);

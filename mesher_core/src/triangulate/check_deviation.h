@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/cancel.h"
 #include "base/diagnostic.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
@@ -11,6 +12,7 @@ namespace advlayers {
 
 // "triangulation-inverted" (error) and "triangulation-deviates" (warning), each once for every CAD
 // face that has such triangles, at the worst of them, with their number.
-std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& surface);
+std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
+                                        const CancelFlag& cancel);
 
 }  // namespace advlayers

@@ -20,8 +20,9 @@ const double kSmoothTip = std::cos(10 * M_PI / 180);
 
 class Gluer {
  public:
-  Gluer(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary)
-      : sheets_(sheets), boundary_(boundary) {}
+  Gluer(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary,
+        const CancelFlag& cancel)
+      : sheets_(sheets), boundary_(boundary), cancel_(cancel) {}
 
   GluedMesh run() {
     for (int round = 0; round < kRounds; ++round) {
@@ -86,6 +87,7 @@ class Gluer {
   void for_each_side(Act&& act) const {
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
+        cancel_.check();
         for (int i = 0; i < 3; ++i) act(SheetSide{s, {t, i}});
       }
     }
@@ -199,6 +201,7 @@ class Gluer {
     std::vector<std::vector<VertexH>> faces;
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
+        cancel_.check();
         if (vanishes(s, t)) continue;
         std::vector<VertexH> corners;
         for (int i = 0; i < 3; ++i) corners.push_back(vertex_of_root_[root(corner(s, t, i))]);
@@ -224,6 +227,7 @@ class Gluer {
     std::vector<int> pole_uses(parent_.size(), 0);
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
+        cancel_.check();
         for (int i = 0; i < 3; ++i) {
           const std::size_t r = root(corner(s, t, i));
           const LiftedVertex& lifted = vertex_at(s, t, i);
@@ -285,6 +289,7 @@ class Gluer {
 
   std::vector<LiftedTriangulation>& sheets_;
   const Discretization& boundary_;
+  const CancelFlag& cancel_;
   std::vector<std::size_t> first_corner_;
   std::vector<std::size_t> parent_;
   std::vector<VertexH> vertex_of_root_;
@@ -292,8 +297,9 @@ class Gluer {
 
 }  // namespace
 
-GluedMesh glue_sheets(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary) {
-  return Gluer(sheets, boundary).run();
+GluedMesh glue_sheets(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary,
+                      const CancelFlag& cancel) {
+  return Gluer(sheets, boundary, cancel).run();
 }
 
 }  // namespace advlayers

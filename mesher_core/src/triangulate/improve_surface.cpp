@@ -47,8 +47,8 @@ class Improver {
     while (!pending.empty()) {
       const HalfedgeH h = pending.back();
       pending.pop_back();
-      if (mesh_.frozen(h) || !ops_.flip(h)) continue;
       cancel_.check();
+      if (mesh_.frozen(h) || !ops_.flip(h)) continue;
       const HalfedgeH t = SurfaceMesh::twin(h);
       pending.insert(pending.end(), {mesh_.next(h), mesh_.prev(h), mesh_.next(t), mesh_.prev(t)});
     }
@@ -81,8 +81,8 @@ class Improver {
     bool changed = false;
     for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
       const FaceH f(i);
-      if (!mesh_.alive(f) || ops_.score(f) >= kPoorScore) continue;
       cancel_.check();
+      if (!mesh_.alive(f) || ops_.score(f) >= kPoorScore) continue;
       if (mend(f)) changed = true;
     }
     return changed;

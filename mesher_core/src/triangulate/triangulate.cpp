@@ -135,12 +135,12 @@ Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
                         TargetSize(evaluator, settings));
     fill_sheet(sheets.back(), cancel);
   }
-  GluedMesh glued = glue_sheets(sheets, boundary);
+  GluedMesh glued = glue_sheets(sheets, boundary, cancel);
   sheets.clear();
   improve_surface(glued, surface, cancel);
   Triangulation result;
   result.mesh = std::move(glued.mesh);
-  result.diagnostics = check_deviation(result.mesh, surface);
+  result.diagnostics = check_deviation(result.mesh, surface, cancel);
   return result;
 }
 
