@@ -5,9 +5,10 @@ import FreeCAD
 import FreeCADGui
 
 from advlayers_gui.commands import icon
+from advlayers_gui.field_modes import FieldView
 
 
-class LayerMeshView:
+class LayerMeshView(FieldView):
     """View provider of a layer mesh."""
 
     def __init__(self, view_object) -> None:

@@ -1,0 +1,100 @@
+"""The elements of a mesh as arrays, and what they are judged by."""
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any, Tuple
+
+import numpy as np
+
+_LAYER_GROUP = re.compile(r"Layer([0-9]+)")
+
+
+@dataclass(frozen=True)
+class ElementMesh:
+    """Quads first, then triangles; element i is number i + 1 of the FemMesh."""
+
+    nodes: Any  # (n, 3) float64 [mm]
+    quads: Any  # (q, 4) indices into nodes
+    triangles: Any  # (t, 3)
+    layers: Any  # (q + t,) 0: core
+
+    @property
+    def count(self) -> int:
+        return len(self.quads) + len(self.triangles)
+
+    def corners(self, element: int):
+        """Indices of the element's nodes."""
+        quads = len(self.quads)
+        return self.quads[element] if element < quads else self.triangles[element - quads]
+
+
+def of_core(mesh) -> ElementMesh:
+    """Of a finished mesh or a snapshot of the core."""
+    layers = np.concatenate([mesh.layer_of_quad, mesh.layer_of_triangle])
+    return ElementMesh(mesh.nodes, mesh.quads, mesh.triangles, layers)
+
+
+def of_fem(fem) -> ElementMesh:
+    """Of a Fem.FemMesh that this add-on made; its layers are told by its groups."""
+    nodes = fem.Nodes
+    ids = np.fromiter(nodes.keys(), np.int64, len(nodes))
+    points = np.array([tuple(point) for point in nodes.values()]).reshape(-1, 3)
+    index = np.zeros(int(ids.max(initial=0)) + 1, np.int64)
+    index[ids] = np.arange(len(ids))
+    cells = [fem.getElementNodes(number) for number in fem.Faces]
+    quads = [cell for cell in cells if len(cell) == 4]
+    triangles = [cell for cell in cells if len(cell) == 3]
+    layers = np.zeros(len(cells), np.int32)
+    for group in fem.Groups:
+        match = _LAYER_GROUP.fullmatch(fem.getGroupName(group))
+        if match and fem.getGroupElementType(group) == "Face":
+            layers[np.array(fem.getGroupElements(group), np.int64) - 1] = int(match.group(1))
+    return ElementMesh(points, index[np.array(quads, np.int64).reshape(-1, 4)],
+                       index[np.array(triangles, np.int64).reshape(-1, 3)], layers)
+
+
+def angles(mesh: ElementMesh) -> Tuple[Any, Any]:
+    """Corner angles [deg] of the quads (q, 4) and of the triangles (t, 3)."""
+    return _corner_angles(mesh.nodes, mesh.quads), _corner_angles(mesh.nodes, mesh.triangles)
+
+
+def quality(mesh: ElementMesh):
+    """(q + t,) from 0 (flat or turned over) to 1 (every angle is the ideal one, 90 or 60 deg)."""
+    quads, triangles = angles(mesh)
+    return np.concatenate([_equiangular(quads, 90.0), _equiangular(triangles, 60.0)])
+
+
+def aspect_ratio(mesh: ElementMesh):
+    """(q + t,) longest side over shortest side."""
+    return np.concatenate([_side_ratio(mesh.nodes, cells)
+                           for cells in (mesh.quads, mesh.triangles)])
+
+
+def centres(mesh: ElementMesh):
+    """(q + t, 3) [mm]"""
+    return np.concatenate([mesh.nodes[cells].mean(axis=1).reshape(-1, 3)
+                           for cells in (mesh.quads, mesh.triangles)])
+
+
+def _corner_angles(nodes, cells):
+    points = nodes[cells]
+    ahead = np.roll(points, -1, axis=1) - points
+    back = np.roll(points, 1, axis=1) - points
+    sine = np.linalg.norm(np.cross(ahead, back), axis=2)
+    return np.degrees(np.arctan2(sine, np.einsum("ijk,ijk->ij", ahead, back)))
+
+
+def _equiangular(corner_angles, ideal: float):
+    if not len(corner_angles):
+        return np.zeros(0)
+    widest, narrowest = corner_angles.max(axis=1), corner_angles.min(axis=1)
+    return 1.0 - np.maximum((widest - ideal) / (180.0 - ideal), (ideal - narrowest) / ideal)
+
+
+def _side_ratio(nodes, cells):
+    if not len(cells):
+        return np.zeros(0)
+    points = nodes[cells]
+    sides = np.linalg.norm(np.roll(points, -1, axis=1) - points, axis=2)
+    return sides.max(axis=1) / np.maximum(sides.min(axis=1), np.finfo(float).tiny)

@@ -1,0 +1,84 @@
+"""Colours of elements: one scale per field, the same in the view and in its legend."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Tuple
+
+import numpy as np
+
+# From bad to good, or from low to high; distinct for colour-blind eyes as well.
+_HEAT = ((0.70, 0.09, 0.17), (0.94, 0.54, 0.38), (0.97, 0.86, 0.68), (0.57, 0.77, 0.87),
+         (0.13, 0.40, 0.67))
+_DEPTH = ((0.09, 0.21, 0.45), (0.16, 0.44, 0.67), (0.33, 0.66, 0.76), (0.62, 0.83, 0.78),
+          (0.89, 0.94, 0.82))
+_RISE = ((0.89, 0.93, 0.97), (0.62, 0.76, 0.87), (0.99, 0.82, 0.48), (0.93, 0.50, 0.22),
+         (0.60, 0.10, 0.12))
+# Below, nought, above.
+_SIGNED = ((0.13, 0.40, 0.67), (0.57, 0.77, 0.87), (0.93, 0.95, 0.93), (0.94, 0.60, 0.42),
+           (0.70, 0.09, 0.17))
+CORE_COLOUR = (0.86, 0.87, 0.89)
+MARK_COLOUR = (0.85, 0.10, 0.15)
+
+
+@dataclass(frozen=True)
+class Scale:
+    """How the values of a field become colours; NaN becomes that of the core."""
+
+    title: str
+    low: float
+    high: float
+    stops: Tuple[Tuple[float, float, float], ...]
+    logarithmic: bool = False
+
+    def rgb(self, values):
+        """(n, 3) from 0 to 1"""
+        values = np.asarray(values, float)
+        known = np.isfinite(values)
+        colours = self.at(self._share(np.where(known, values, self.low)))
+        colours[~known] = CORE_COLOUR
+        return colours
+
+    def at(self, share):
+        """(n, 3) from 0 to 1; a share of 0 is the low end, 1 the high one."""
+        ends = np.linspace(0.0, 1.0, len(self.stops))
+        return np.stack([np.interp(share, ends, channel) for channel in zip(*self.stops)],
+                        axis=-1)
+
+    def value_at(self, share: float) -> float:
+        if self.logarithmic:
+            return self.low * (self.high / self.low) ** share
+        return self.low + share * (self.high - self.low)
+
+    def _share(self, values):
+        low, high = self.low, self.high
+        if self.logarithmic:
+            low, high, values = np.log(low), np.log(high), np.log(np.maximum(values, self.low))
+        return np.clip((values - low) / max(high - low, 1e-30), 0.0, 1.0)
+
+
+def packed(rgb) -> Any:
+    """(n,) uint32, 0xRRGGBBAA, of (n, 3) from 0 to 1."""
+    parts = (np.clip(rgb, 0.0, 1.0) * 255.0 + 0.5).astype(np.uint32)
+    return (parts[:, 0] << 24) | (parts[:, 1] << 16) | (parts[:, 2] << 8) | np.uint32(255)
+
+
+def layer_scale(highest: int) -> Scale:
+    return Scale("Layer", 1.0, float(max(highest, 2)), _DEPTH)
+
+
+def layer_colours(layers, highest: int):
+    """Packed; the core, layer 0, is pale."""
+    values = np.where(np.asarray(layers) > 0, layers, np.nan)
+    return packed(layer_scale(highest).rgb(values))
+
+
+def quality_scale() -> Scale:
+    return Scale("Quality (1: all angles ideal)", 0.0, 1.0, _HEAT)
+
+
+def aspect_scale(highest: float) -> Scale:
+    return Scale("Aspect ratio", 1.0, max(float(highest), 2.0), _RISE, logarithmic=True)
+
+
+def height_scale() -> Scale:
+    return Scale("Height over the one asked for, less 1 [%]", -10.0, 10.0, _SIGNED)

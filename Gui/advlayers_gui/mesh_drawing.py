@@ -1,0 +1,149 @@
+"""Elements as Coin nodes. A large mesh is handed over piece by piece, so that no piece keeps the
+window waiting."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Iterator, List, Optional
+
+import numpy as np
+from pivy import coin
+from PySide import QtCore
+
+# Elements that are handed over at once: some 30 ms for the arrays, and as much for the picture.
+PIECE = 30000
+_LINE_COLOUR = (0.10, 0.12, 0.16)
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Some elements as Coin takes them. Made of arrays alone, so in any thread."""
+
+    points: Any  # (n, 3) float32
+    faces: Any  # int32: the corners of each element, -1
+    lines: Any  # int32: both ends of each side, -1; a side of two elements once
+    colours: Any  # (elements,) uint32: 0xRRGGBBAA
+
+
+def pieces_of(mesh, colours, size: int = PIECE) -> Iterator[Piece]:
+    """Cuts an ElementMesh up; `colours` as those of Piece, by element."""
+    first = 0
+    for cells in (mesh.quads, mesh.triangles):
+        for start in range(0, len(cells), size):
+            some = cells[start:start + size]
+            yield _piece(mesh.nodes, some, colours[first + start:first + start + len(some)])
+        first += len(cells)
+
+
+def _piece(nodes, cells, colours) -> Piece:
+    used, corners = np.unique(cells, return_inverse=True)
+    corners = corners.reshape(cells.shape).astype(np.int32)
+    end = np.full((len(corners), 1), -1, np.int32)
+    sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
+    sides = np.sort(sides, axis=1).astype(np.int64)
+    keys = np.unique(sides[:, 0] * len(used) + sides[:, 1])
+    lines = np.column_stack([keys // len(used), keys % len(used), np.full(len(keys), -1)])
+    return Piece(np.ascontiguousarray(nodes[used], np.float32),
+                 np.hstack([corners, end]).ravel(),
+                 lines.astype(np.int32).ravel(),
+                 np.ascontiguousarray(colours, np.uint32))
+
+
+class _PieceNode:
+    """The Coin nodes of one piece."""
+
+    def __init__(self) -> None:
+        self.root = coin.SoSeparator()
+        self._points = coin.SoCoordinate3()
+        self._colours = coin.SoPackedColor()
+        self._faces = coin.SoIndexedFaceSet()
+        self._lines = coin.SoIndexedLineSet()
+        self.elements = 0
+        binding = coin.SoMaterialBinding()
+        binding.value = coin.SoMaterialBinding.PER_FACE
+        behind = coin.SoPolygonOffset()  # the sides stay visible on the faces
+        filled = coin.SoSeparator()
+        for node in (behind, binding, self._colours, self._faces):
+            filled.addChild(node)
+        drawn = coin.SoSeparator()
+        flat = coin.SoLightModel()
+        flat.model = coin.SoLightModel.BASE_COLOR
+        colour = coin.SoBaseColor()
+        colour.rgb = _LINE_COLOUR
+        for node in (flat, colour, self._lines):
+            drawn.addChild(node)
+        for node in (self._points, filled, drawn):
+            self.root.addChild(node)
+
+    def fill(self, piece: Piece) -> None:
+        # Coin reads indices when it draws: they must fit the points at any time.
+        for field in (self._faces.coordIndex, self._lines.coordIndex):
+            field.setNum(0)
+        self._points.point.setNum(len(piece.points))
+        self._points.point.setValues(0, len(piece.points), piece.points)
+        self._faces.coordIndex.setValues(0, len(piece.faces), piece.faces)
+        self._lines.coordIndex.setValues(0, len(piece.lines), piece.lines)
+        self.paint(piece.colours)
+
+    def paint(self, colours) -> None:
+        self.elements = len(colours)
+        self._colours.orderedRGBA.setNum(len(colours))
+        self._colours.orderedRGBA.setValues(0, len(colours), colours)
+
+
+class MeshDrawing:
+    """A scene of elements that is filled one piece per turn of the event loop."""
+
+    def __init__(self) -> None:
+        self.root = coin.SoSeparator()
+        hints = coin.SoShapeHints()  # both sides lit: surfaces are seen from within too
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+        self._pieces = coin.SoGroup()
+        self.root.addChild(hints)
+        self.root.addChild(self._pieces)
+        self._nodes: List[_PieceNode] = []
+        self._waiting: Optional[Iterator[Piece]] = None
+        self._filled = 0
+        self._timer = QtCore.QTimer()
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self._fill_next)
+
+    @property
+    def element_count(self) -> int:
+        """Elements shown at this moment."""
+        return sum(node.elements for node in self._nodes)
+
+    @property
+    def busy(self) -> bool:
+        return self._waiting is not None
+
+    def show(self, pieces: Iterator[Piece]) -> None:
+        """Replaces what is shown, the first piece at once, the others one by one."""
+        self._waiting, self._filled = iter(pieces), 0
+        self._timer.start()
+        self._fill_next()
+
+    def clear(self) -> None:
+        self.show(iter(()))
+
+    def paint(self, colours) -> None:
+        """New colours for the elements shown, in their order."""
+        start = 0
+        for node in self._nodes:
+            node.paint(np.ascontiguousarray(colours[start:start + node.elements], np.uint32))
+            start += node.elements
+
+    def _fill_next(self) -> None:
+        piece = next(self._waiting, None) if self._waiting is not None else None
+        if piece is None:
+            self._timer.stop()
+            self._waiting = None
+            for node in self._nodes[self._filled:]:
+                self._pieces.removeChild(node.root)
+            del self._nodes[self._filled:]
+            return
+        if self._filled == len(self._nodes):
+            self._nodes.append(_PieceNode())
+            self._pieces.addChild(self._nodes[-1].root)
+        self._nodes[self._filled].fill(piece)
+        self._filled += 1
