@@ -35,3 +35,9 @@ def point_and_normal(face):
     u, v = face.Surface.parameter(face.Vertexes[0].Point)
     point, normal = face.valueAt(u, v), face.normalAt(u, v)
     return np.array(point), np.array(normal)
+
+
+def tips(shape) -> np.ndarray:
+    """Points of degenerate edges: cone tips and poles, (n, 3)."""
+    points = [edge.Vertexes[0].Point for edge in shape.Edges if edge.Degenerated]
+    return np.array(points, float).reshape(-1, 3)

@@ -93,3 +93,24 @@ def conformity_faults(elements: Elements, closed: Optional[bool] = None) -> List
     if used != len(elements.nodes):
         faults.append(f"{len(elements.nodes) - used} nodes without element")
     return faults
+
+
+def folds(elements: Elements, faces: np.ndarray, tips: np.ndarray) -> int:
+    """Edges whose two elements, of one CAD face, look more than 120 degrees apart; not those that
+    end in one of the `tips`, (n, 3), where a surface may be as sharp as that."""
+    at_tip = np.zeros(len(elements.nodes), bool)
+    for tip in tips:
+        at_tip |= np.linalg.norm(elements.nodes - tip, axis=1) < 1e-6
+    p = elements.nodes[elements.corners]
+    normals = np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1])
+    triangle = ~elements.is_quad()
+    normals[triangle] = np.cross(p[triangle, 1] - p[triangle, 0], p[triangle, 2] - p[triangle, 0])
+    normals /= np.linalg.norm(normals, axis=1)[:, None] + 1e-300
+    edges, owners = elements.directed_edges()
+    owner_of = {tuple(edge): owner for edge, owner in zip(edges.tolist(), owners.tolist())}
+    count = 0
+    for (a, b), one in owner_of.items():
+        other = owner_of.get((b, a)) if a < b else None
+        if other is not None and faces[one] == faces[other] and not (at_tip[a] or at_tip[b]):
+            count += bool(normals[one] @ normals[other] < -0.5)
+    return count
