@@ -60,7 +60,7 @@ def _table(settings, properties):
     rows = [head, ["---"] * len(head)]
     for entry in settings:
         row = [f"`{entry.key}`", _value(entry), _default(entry), _range(entry)]
-        row += [f"`{entry.property}`"] * properties
+        row += [f"`{entry.property}`" if entry.property else f"{entry.child} objects"] * properties
         rows.append(row + [entry.doc])
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 

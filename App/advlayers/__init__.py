@@ -7,15 +7,58 @@ from __future__ import annotations
 __version__ = "0.1.0"
 
 
-def make_layer_mesh(source, **settings):
+def make_layer_mesh(source, mesh_now: bool = True, **settings):
     """Meshes a document object and returns the new Fem::FemMeshObjectPython.
 
     The settings are those of the reference page: `make_layer_mesh(doc.Body, faces=["Face1"],
-    first_height="7 mm")`. Lengths may be numbers [mm], texts with a unit, or quantities.
+    first_height="7 mm")`. Lengths may be numbers [mm], texts with a unit, or quantities. Where
+    walls and sizes are to be added first, `mesh_now=False` leaves the meshing to update().
     Raises InputError for a setting or a source that cannot be used.
     """
     from advlayers import layer_mesh
 
     mesh_object = layer_mesh.create(source, **settings)
-    layer_mesh.update(mesh_object)
+    if mesh_now:
+        layer_mesh.update(mesh_object)
     return mesh_object
+
+
+def make_wall(mesh_object, references, condition: str = "Wall", label: str = "", **values):
+    """Adds a wall to a layer mesh: `make_wall(mesh, ["Edge1", "Edge2"], first_height="0.1 mm")`.
+
+    References are names on the meshed object, or pairs of an object and names. With faces too,
+    layers grow on their side only; faces alone stand for all their boundary edges. Condition:
+    "Wall", or "Match" or "Off" for edges that layers run along or that have none. The values are
+    those of one wall on the reference page. Raises InputError.
+    """
+    from advlayers import controls
+
+    return controls.make(controls.Wall, mesh_object, references, label, condition, values)
+
+
+def make_size(mesh_object, references, label: str = "", **values):
+    """Adds a local size to a layer mesh: `make_size(mesh, ["Face2"], size="2 mm")`.
+
+    The values are those of one size on the reference page. Raises InputError.
+    """
+    from advlayers import controls
+
+    return controls.make(controls.Size, mesh_object, references, label, values=values)
+
+
+def make_group(mesh_object, name: str, references):
+    """Adds a named group of faces and edges to a layer mesh, for boundary conditions.
+
+    Raises InputError.
+    """
+    from advlayers import controls
+
+    return controls.make_group(mesh_object, name, references)
+
+
+def update(mesh_object) -> None:
+    """Meshes a layer mesh with its settings as they stand. Raises InputError, or what the core
+    raises; the old mesh stays then."""
+    from advlayers import layer_mesh
+
+    layer_mesh.update(mesh_object)

@@ -6,16 +6,38 @@ points of the shape are kept and compared with a tolerance.
 from __future__ import annotations
 
 import json
-from typing import Any, List, Mapping
+from typing import Any, Dict, List, Mapping
+
+from advlayers.settings_table import MESH_SETTINGS
 
 # Of the diagonal: far above what saving changes, far below what a mesh would show.
 _TOLERANCE = 1e-7
+# As JSON gives them back.
+_DEFAULTS = {entry.key: list(entry.default) if isinstance(entry.default, tuple) else entry.default
+             for entry in MESH_SETTINGS}
 
 
 def settings_text(settings: Mapping[str, Any]) -> str:
     """What the mesh depends on, in a fixed order."""
     kept = {key: value for key, value in settings.items() if key != "threads"}
     return json.dumps(kept, sort_keys=True)
+
+
+def same_settings(kept: str, now: str) -> bool:
+    """A setting that is not there counts as its default: later versions of the program add some."""
+    return kept == now or _given(json.loads(kept)) == _given(json.loads(now))
+
+
+def _given(settings: Mapping[str, Any]) -> Dict[str, Any]:
+    return {key: [_without_empty(item) for item in value] if isinstance(value, list) else value
+            for key, value in settings.items() if value != _DEFAULTS.get(key)}
+
+
+def _without_empty(item: Any) -> Any:
+    """One wall or size of a list, without the values that say nothing."""
+    if not isinstance(item, dict):
+        return item
+    return {key: value for key, value in item.items() if value not in (None, [])}
 
 
 def shape_points(shape) -> List[float]:

@@ -1,31 +1,42 @@
 """The mesh object in a FreeCAD document: settings and results as properties, the mesh in FemMesh.
 
-All data lies in properties. Recomputing never meshes: it only says whether the mesh is out of date.
-The module's and the class's name are part of saved files.
+All data lies in properties, and in children for walls, sizes and groups. Recomputing meshes only
+where AutoUpdate is set: else it says whether the mesh is out of date. The module's and the class's
+name are part of saved files.
 """
 from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional
+from typing import Any, Callable, Dict, List, Optional
 
-import FreeCAD
-
-from advlayers import cad_input, fem_mesh, freshness
+from advlayers import cad_input, controls, fem_mesh, freshness, mesh_history, migrations
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.layer_heights import height_errors
 from advlayers.meshing import Run, core_settings, default_lengths
+from advlayers.properties import (
+    HIDDEN, READ_ONLY, add_setting, from_property, plain_values, property_name, to_property)
+from advlayers.proxy import Stateless, attach_view
+from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.report import make_report
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS, Setting
 
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = "Not meshed", "Up to date", "Out of date"
-_READ_ONLY, _HIDDEN = 1, 2  # editor modes
+LOST_REFERENCES = "Lost references"
 
 # name, type, group, tooltip
 _OTHER_PROPERTIES = (
-    ("Part", "App::PropertyLink", "Geometry", "The object whose faces are meshed."),
+    # Global: the object may stand in a part or a body that the mesh is not in.
+    ("Part", "App::PropertyLinkGlobal", "Geometry", "The object whose faces are meshed."),
+    ("GrowFromAll", "App::PropertyBool", "Layers",
+     "Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise."),
+    ("WallList", "App::PropertyLinkList", "Layers", "The walls of the mesh."),
+    ("SizeList", "App::PropertyLinkList", "Size", "The local sizes of the mesh."),
+    ("GroupList", "App::PropertyLinkList", "Geometry", "The named groups of the mesh."),
+    ("AutoUpdate", "App::PropertyBool", "Run",
+     "Meshes again whenever a recompute finds the mesh out of date."),
 )
 _RESULTS = (
     ("State", "App::PropertyString", "Whether the mesh fits the settings and the shape."),
@@ -38,17 +49,21 @@ _RESULTS = (
     ("MaxAngle", "App::PropertyAngle", "The largest corner angle."),
     ("InvertedCount", "App::PropertyInteger", "Elements turned over against the surface."),
     ("Messages", "App::PropertyStringList", "What the mesher had to say."),
+)
+_HIDDEN_RESULTS = (
     ("Details", "App::PropertyString", "The report of the mesh, as a job writes it."),
     ("HeightErrors", "App::PropertyFloatList",
      "How far the height of each element of a layer is from the one asked for, relative to it; "
      "NaN for the core."),
     ("MeshedSettings", "App::PropertyString", "The settings that the mesh was made with."),
     ("MeshedShape", "App::PropertyFloatList", "Points of the shape that was meshed."),
+    ("MeshId", "App::PropertyString", "Tells this mesh from the ones before it."),
+    ("Picked", "App::PropertyStringList", "What the faces looked like when they were picked."),
+    ("SchemaVersion", "App::PropertyInteger", "The way in which the object keeps its data."),
 )
-_HIDDEN_RESULTS = ("Details", "HeightErrors", "MeshedSettings", "MeshedShape")
 
 
-class LayerMesh:
+class LayerMesh(Stateless):
     """Proxy of a Fem::FemMeshObjectPython."""
 
     Type = "AdvancingLayers::LayerMesh"
@@ -56,30 +71,25 @@ class LayerMesh:
     def __init__(self, document_object) -> None:
         document_object.Proxy = self
         add_properties(document_object)
+        document_object.SchemaVersion = migrations.CURRENT
+        mesh_history.watch(document_object)
+
+    def onChanged(self, document_object, name: str) -> None:
+        complete = hasattr(document_object, "Picked")
+        if name in ("Faces", "Part") and complete and not document_object.Document.Restoring:
+            _remember_faces(document_object)
 
     def execute(self, document_object) -> None:
         refresh_state(document_object)
+        if document_object.AutoUpdate and document_object.State in (NOT_MESHED, OUT_OF_DATE):
+            update(document_object)
 
     def onDocumentRestored(self, document_object) -> None:
         add_properties(document_object)
-        # Files saved without a window carry no view provider of ours.
-        if FreeCAD.GuiUp:
-            from advlayers_gui import view_provider
-
-            view_provider.attach_to(document_object)
-
-    # FreeCAD 0.20 calls the second pair, later versions the first.
-    def dumps(self):
-        return None
-
-    def loads(self, _state) -> None:
-        return None
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, _state) -> None:
-        return None
+        migrations.migrate(document_object)
+        controls.own_children(document_object)
+        mesh_history.watch(document_object)
+        attach_view(document_object)
 
 
 def is_layer_mesh(document_object) -> bool:
@@ -96,7 +106,7 @@ def create(source, **settings):
     shape = cad_input.global_shape(source)
     if shape.isNull() or not shape.Faces:
         raise InputError("", f"{source.Label} has no face to mesh")
-    checked = check_all(_plain_values(settings), MESH_SETTINGS)
+    checked = check_all(plain_values(settings, MESH_SETTINGS), MESH_SETTINGS)
     check_names(checked, len(shape.Faces), len(shape.Edges), source.Label)
     checked.update(default_lengths(checked, shape.BoundBox.DiagonalLength))
 
@@ -104,13 +114,11 @@ def create(source, **settings):
     LayerMesh(created)
     created.Label = f"{source.Label} layers"
     created.Part = source
-    for entry in MESH_SETTINGS:
-        setattr(created, entry.property, _to_property(entry, checked[entry.key]))
+    for entry in property_settings():
+        setattr(created, property_name(entry), to_property(entry, checked[entry.key]))
+    controls.from_settings(created, checked)
     refresh_state(created)
-    if FreeCAD.GuiUp:
-        from advlayers_gui import view_provider
-
-        view_provider.attach_to(created)
+    attach_view(created)
     return created
 
 
@@ -143,6 +151,7 @@ class Task:
 def prepare(document_object) -> Task:
     """Raises InputError."""
     shape = _shape_of(document_object)
+    check_references(document_object)
     origin = made_from(document_object)
     check_names(origin.settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
     return Task(shape.exportBrepToString(), origin)
@@ -151,7 +160,7 @@ def prepare(document_object) -> Task:
 def made_from(document_object) -> MadeFrom:
     """Raises InputError."""
     return MadeFrom(settings_of(document_object),
-                    freshness.settings_text(_raw_settings(document_object)),
+                    freshness.settings_text(raw_settings(document_object)),
                     freshness.shape_points(cad_input.global_shape(document_object.Part)))
 
 
@@ -166,7 +175,7 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
 
 def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
     """Stores a finished mesh of the settings and the shape that `origin` tells."""
-    document_object.FemMesh = fem
+    mesh_history.store(document_object, fem)
     figures = mesh.figures
     document_object.NodeCount = figures["nodes"]
     document_object.QuadCount = figures["quads"]
@@ -184,26 +193,109 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
     document_object.MeshedSettings = origin.settings_text
     document_object.MeshedShape = origin.points
     refresh_state(document_object)
+    if document_object.State == UP_TO_DATE:  # else the model was edited meanwhile
+        accept_references(document_object)
 
 
 def settings_of(document_object) -> Dict[str, Any]:
-    """The settings as the properties have them, checked. Raises InputError."""
-    return check_all(_raw_settings(document_object), MESH_SETTINGS)
+    """The settings as properties and children have them, checked. Raises InputError."""
+    return check_all(raw_settings(document_object), MESH_SETTINGS)
 
+
+def property_settings() -> List[Setting]:
+    """The settings that are properties of the mesh object; the others are in its children."""
+    return [entry for entry in MESH_SETTINGS if entry.property]
+
+
+def raw_settings(document_object) -> Dict[str, Any]:
+    """As the document has them, unchecked."""
+    settings = {entry.key: from_property(entry, getattr(document_object, entry.property))
+                for entry in property_settings()}
+    settings.update(controls.contributions(document_object))
+    return settings
+
+
+# --- references -----------------------------------------------------------------------------------
+
+def reference_problems(document_object) -> List[Problem]:
+    """The picked faces and edges, of the object and its children, whose names do not stand for
+    what was picked any more."""
+    found: List[Problem] = []
+    if document_object.Part is not None and document_object.Faces:
+        found += problems(document_object, document_object.Faces, document_object.Picked,
+                          Picker(cad_input.global_shape(document_object.Part)))
+    for child in controls.children(document_object):
+        found += controls.problems(child)
+    return found
+
+
+def check_references(document_object) -> None:
+    """Raises InputError that names every reference that cannot be trusted."""
+    found = reference_problems(document_object)
+    if found:
+        texts = "; ".join(f"{problem.owner.Label}: {problem.text}" for problem in found)
+        raise InputError("", f"the model has changed under the references: {texts}. "
+                             "Pick them again, follow them, or accept them as they are")
+
+
+def follow_references(document_object) -> None:
+    """Renames the references to what was picked, where it is still there; others stay as they
+    are."""
+    new_names: Dict[Any, Dict[str, str]] = {}
+    for problem in reference_problems(document_object):
+        if problem.found:
+            new_names.setdefault(problem.owner, {})[problem.name] = problem.found
+    for owner, renamed in new_names.items():
+        if owner is document_object:
+            owner.Faces = [renamed.get(name, name) for name in owner.Faces]
+            _remember_faces(owner, anew=True)
+        else:
+            controls.replace_names(owner, renamed)
+    refresh_state(document_object)
+
+
+def accept_references(document_object) -> None:
+    """Takes the references as they are now for what is meant."""
+    _remember_faces(document_object, anew=True)
+    for child in controls.children(document_object):
+        controls.remember(child, anew=True)
+    refresh_state(document_object)
+
+
+def _remember_faces(document_object, anew: bool = False) -> None:
+    if document_object.Part is None:
+        return
+    texts = remembered([] if anew else document_object.Picked, document_object.Faces,
+                       Picker(cad_input.global_shape(document_object.Part)))
+    if texts != list(document_object.Picked):
+        document_object.Picked = texts
+
+
+# --- state ----------------------------------------------------------------------------------------
 
 def refresh_state(document_object) -> None:
     """Compares settings and shape with those of the mesh; writes State only where it changes."""
-    if not document_object.MeshedSettings:
-        state = NOT_MESHED
-    else:
-        state = UP_TO_DATE if _fits(document_object) else OUT_OF_DATE
+    state = _state(document_object)
     if document_object.State != state:
         document_object.State = state
 
 
+def _state(document_object) -> str:
+    if document_object.MeshedSettings and _fits(document_object):
+        return UP_TO_DATE
+    if reference_problems(document_object):
+        return LOST_REFERENCES
+    return OUT_OF_DATE if document_object.MeshedSettings else NOT_MESHED
+
+
 def _fits(document_object) -> bool:
-    settings = freshness.settings_text(_raw_settings(document_object))
-    if document_object.Part is None or document_object.MeshedSettings != settings:
+    if document_object.Part is None:
+        return False
+    try:
+        now = freshness.settings_text(raw_settings(document_object))
+    except InputError:
+        return False
+    if not freshness.same_settings(document_object.MeshedSettings, now):
         return False
     shape = cad_input.global_shape(document_object.Part)
     return not shape.isNull() and freshness.same_points(
@@ -213,21 +305,20 @@ def _fits(document_object) -> bool:
 def add_properties(document_object) -> None:
     """Adds the properties that are not there yet: all to a new object, later ones to an old one."""
     present = set(document_object.PropertiesList)
-    for entry in MESH_SETTINGS:
-        if entry.property not in present:
-            document_object.addProperty(
-                entry.property_type, entry.property, entry.group, entry.doc)
-            if entry.choices:
-                setattr(document_object, entry.property, list(entry.choices))
-            if entry.default is not None:
-                setattr(document_object, entry.property, _to_property(entry, entry.default))
+    for entry in property_settings():
+        add_setting(document_object, entry, entry.group, entry.doc)
+        if entry.property not in present and entry.default is not None:
+            setattr(document_object, entry.property, to_property(entry, entry.default))
     for name, kind, group, doc in _OTHER_PROPERTIES:
         if name not in present:
             document_object.addProperty(kind, name, group, doc)
-    for name, kind, doc in _RESULTS:
-        if name not in present:
-            document_object.addProperty(kind, name, "Result", doc)
-        document_object.setEditorMode(name, _HIDDEN if name in _HIDDEN_RESULTS else _READ_ONLY)
+    if "GrowFromAll" not in present:
+        document_object.GrowFromAll = True
+    for mode, results in ((READ_ONLY, _RESULTS), (HIDDEN, _HIDDEN_RESULTS)):
+        for name, kind, doc in results:
+            if name not in present:
+                document_object.addProperty(kind, name, "Result", doc)
+            document_object.setEditorMode(name, mode)
 
 
 def _shape_of(document_object):
@@ -237,58 +328,3 @@ def _shape_of(document_object):
     if shape.isNull() or not shape.Faces:
         raise InputError("Part", f"{document_object.Part.Label} has no face to mesh")
     return shape
-
-
-def _raw_settings(document_object) -> Dict[str, Any]:
-    return {entry.key: _from_property(entry, getattr(document_object, entry.property))
-            for entry in MESH_SETTINGS}
-
-
-def _plain_values(settings: Mapping[str, Any]) -> Dict[str, Any]:
-    """Numbers in mm and degrees for texts and quantities with a unit."""
-    units = {entry.key: entry.unit for entry in MESH_SETTINGS if entry.kind == "number"}
-    values = dict(settings)
-    for key, unit in units.items():
-        value = values.get(key)
-        if isinstance(value, (str, FreeCAD.Units.Quantity)):
-            values[key] = _in_unit(key, value, unit)
-    return values
-
-
-def _in_unit(key: str, value, unit: str) -> float:
-    try:
-        quantity = FreeCAD.Units.Quantity(value)
-        plain = quantity.Unit == FreeCAD.Units.Unit()
-        return quantity.Value if plain or not unit else float(quantity.getValueAs(unit))
-    except (ValueError, ArithmeticError, SyntaxError, TypeError) as error:
-        what = f"in {unit}" if unit else "without a unit"
-        raise InputError(key, f"must be a number {what}, got {str(value)!r}") from error
-
-
-def _to_property(entry: Setting, value: Any) -> Any:
-    if entry.kind in ("layers", "walls") and not isinstance(value, str):
-        return json.dumps(value)
-    if entry.kind == "faces":
-        return [] if value == "all" else list(value)
-    if entry.kind == "edges":
-        return list(value)
-    if entry.kind == "groups":
-        return {name: " ".join(members) for name, members in value.items()}
-    return value
-
-
-def _from_property(entry: Setting, value: Any) -> Any:
-    if entry.kind == "number":
-        return value.Value if hasattr(value, "Value") else value
-    if entry.kind in ("layers", "walls"):
-        try:
-            return json.loads(value)
-        except ValueError:
-            return value
-    if entry.kind == "faces":
-        return list(value) or "all"
-    if entry.kind == "edges":
-        return list(value)
-    if entry.kind == "groups":
-        return {name: members.split() for name, members in value.items()}
-    return value

@@ -23,6 +23,7 @@ class Setting:
     property: str = ""  # name of the FreeCAD property; empty: none
     property_type: str = ""
     group: str = ""  # of the property editor
+    child: str = ""  # what child objects of the mesh object carry it instead
     required: bool = False
 
 
@@ -77,18 +78,18 @@ MESH_SETTINGS = (
         "walls", "walls", "all",
         "The boundary edges that layers grow from: all, or a list of walls with their own "
         "first_height, growth and layers.",
-        property="Walls", property_type="App::PropertyString", group="Layers",
+        child="Wall",
     ),
     Setting(
         "match", "edges", (),
         "Boundary edges that layers are to run along. Meshed like off edges so far: layers end one "
         "segment before them.",
-        property="MatchEdges", property_type="App::PropertyStringList", group="Layers",
+        child="Wall",
     ),
     Setting(
         "off", "edges", (),
         "Boundary edges without layers, where walls alone do not tell.",
-        property="OffEdges", property_type="App::PropertyStringList", group="Layers",
+        child="Wall",
     ),
     Setting(
         "core", "choice", "quads",
@@ -105,7 +106,7 @@ MESH_SETTINGS = (
     Setting(
         "groups", "groups", {},
         "Named groups for boundary conditions: a name and the CAD faces or edges in it.",
-        property="Groups", property_type="App::PropertyMap", group="Geometry",
+        child="Group",
     ),
 )
 
@@ -138,6 +139,18 @@ WALL_SETTINGS = (
             low_open=True),
     Setting("growth", "number", None, "As above, for this wall.", low=1.0),
     Setting("layers", "count", None, "As above, for this wall: a number.", low=0),
+)
+
+# What one size of a list of sizes may say.
+SIZE_SETTINGS = (
+    Setting("edges", "edges", (), "The edges that the size holds for."),
+    Setting("faces", "faces_only", (), "The faces that the size holds for."),
+    Setting("size", "number", None, "Edge length of the mesh.", unit="mm", low=0.0, low_open=True),
+    Setting("segments", "count", None, "Number of mesh edges along each of the edges.", low=1),
+    Setting(
+        "cluster", "number", None,
+        "Ratio of the last mesh edge along a CAD edge to the first.", low=0.0, low_open=True,
+    ),
 )
 
 

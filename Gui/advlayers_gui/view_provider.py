@@ -4,18 +4,27 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from advlayers.controls import children, is_control
+from advlayers.proxy import Stateless
 from advlayers_gui.commands import icon
 from advlayers_gui.field_modes import FieldView
 
 
-class LayerMeshView(FieldView):
+class LayerMeshView(Stateless, FieldView):
     """View provider of a layer mesh."""
 
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
 
+    def attach(self, view_object) -> None:
+        super().attach(view_object)
+        self._object = view_object.Object
+
     def getIcon(self) -> str:
         return icon("AdvLayers_LayerMesh")
+
+    def claimChildren(self):
+        return children(self._object)
 
     def setEdit(self, view_object, mode=0) -> bool:
         from advlayers_gui import mesh_panel
@@ -39,24 +48,28 @@ class LayerMeshView(FieldView):
             view_object.Document.setEdit(view_object.Object.Name)
         return True
 
-    # FreeCAD 0.20 calls the second pair, later versions the first.
-    def dumps(self):
-        return None
 
-    def loads(self, _state) -> None:
-        return None
+class ControlView(Stateless):
+    """View provider of a wall, a size or a group."""
 
-    def __getstate__(self):
-        return None
+    def __init__(self, view_object) -> None:
+        view_object.Proxy = self
 
-    def __setstate__(self, _state) -> None:
-        return None
+    def attach(self, view_object) -> None:
+        self._object = view_object.Object
+
+    def getIcon(self) -> str:
+        return icon(f"AdvLayers_{type(self._object.Proxy).__name__}")
 
 
 def attach_to(document_object) -> None:
     """Gives the object our view provider, unless it has it."""
     view_object = document_object.ViewObject
-    if view_object is not None and not isinstance(view_object.Proxy, LayerMeshView):
+    if view_object is None or isinstance(view_object.Proxy, (LayerMeshView, ControlView)):
+        return
+    if is_control(document_object):
+        ControlView(view_object)
+    else:
         LayerMeshView(view_object)
         # The mesh's own edges show what was made; the shape below would hide half of it.
         view_object.ShapeColor = (0.80, 0.87, 0.95)

@@ -202,16 +202,18 @@ import json, FreeCAD
 document = FreeCAD.openDocument({str(tmp_path / "box.FCStd")!r})
 mesh = document.getObject("LayerMesh")
 groups = [mesh.FemMesh.getGroupName(i) for i in mesh.FemMesh.Groups]
+fem = mesh.FemMesh
 seen = dict(proxy=type(mesh.Proxy).__name__, state=mesh.State, size=mesh.Size.Value,
-            walls=mesh.Walls, nodes=mesh.FemMesh.NodeCount, quads=mesh.FemMesh.QuadrangleCount,
-            triangles=mesh.FemMesh.TriangleCount, groups=groups, faces=len(mesh.Part.Shape.Faces))
+            heights=[wall.FirstHeight.Value for wall in mesh.WallList], nodes=fem.NodeCount,
+            quads=fem.QuadrangleCount, triangles=fem.TriangleCount, groups=groups,
+            faces=len(mesh.Part.Shape.Faces))
 json.dump(seen, open({str(note)!r}, "w"))
 """
     opened = run(["freecadcmd", "-c", code], env={**os.environ, "FREECAD_USER_HOME": str(home)})
     assert opened.status == 0, opened.stderr
     seen, report = json.loads(note.read_text()), json.loads((tmp_path / "r.json").read_text())
     assert (seen["proxy"], seen["state"]) == ("LayerMesh", "Up to date")
-    assert seen["size"] == 2.0 and "0.25" in seen["walls"] and seen["faces"] == 6
+    assert seen["size"] == 2.0 and 0.25 in seen["heights"] and seen["faces"] == 6
     assert [seen[key] for key in ("nodes", "quads", "triangles")] == [
         report[key] for key in ("nodes", "quads", "triangles")]
     assert {"Face1", "Face6", "Edge1", "Edge12", "Layer1", "inlet"} <= set(seen["groups"])

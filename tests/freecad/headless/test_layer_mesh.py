@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from advlayers import layer_mesh
 from advlayers.errors import InputError
-from advlayers.settings_table import MESH_SETTINGS
 
 
 @pytest.fixture
@@ -167,10 +166,13 @@ def test_results_cannot_be_edited(box):
 
 def test_every_property_has_its_tooltip(box):
     made = layer_mesh.create(box)
-    for entry in MESH_SETTINGS:
+    for entry in layer_mesh.property_settings():
         assert made.getTypeIdOfProperty(entry.property) == entry.property_type
         assert made.getGroupOfProperty(entry.property) == entry.group
         assert made.getDocumentationOfProperty(entry.property) == entry.doc
+    for name in made.PropertiesList:
+        if made.getGroupOfProperty(name) not in ("", "Base"):
+            assert made.getDocumentationOfProperty(name), name
 
 
 def test_placed_parts_are_meshed_where_they_stand(box):

@@ -1,0 +1,81 @@
+"""Settings of the table as FreeCAD properties, and back."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, Mapping, Union
+
+import FreeCAD
+
+from advlayers.errors import InputError
+from advlayers.settings_table import Setting
+
+READ_ONLY, HIDDEN = 1, 2  # editor modes
+
+_NUMBERS = {"mm": "App::PropertyLength", "deg": "App::PropertyAngle", "": "App::PropertyFloat"}
+_TYPES = {"count": "App::PropertyInteger", "layers": "App::PropertyString",
+          "choice": "App::PropertyEnumeration", "flag": "App::PropertyBool"}
+
+
+def property_name(entry: Setting) -> str:
+    return entry.property or "".join(word.capitalize() for word in entry.key.split("_"))
+
+
+def property_type(entry: Setting) -> str:
+    if entry.property_type:
+        return entry.property_type
+    return _NUMBERS[entry.unit] if entry.kind == "number" else _TYPES[entry.kind]
+
+
+def unset_value(entry: Setting) -> Union[str, int]:
+    """What stands in a property for a value that is not given: out of the setting's range."""
+    if entry.kind == "layers":
+        return ""
+    zero_allowed = entry.low is None or (entry.low <= 0.0 and not entry.low_open)
+    return -1 if zero_allowed else 0
+
+
+def add_setting(document_object, entry: Setting, group: str, doc: str) -> None:
+    """Adds the property of one setting unless it is there."""
+    name = property_name(entry)
+    if name in document_object.PropertiesList:
+        return
+    document_object.addProperty(property_type(entry), name, group, doc)
+    if entry.choices:
+        setattr(document_object, name, list(entry.choices))
+
+
+def to_property(entry: Setting, value: Any) -> Any:
+    if entry.kind == "layers":
+        return str(value)
+    if entry.kind == "faces":
+        return [] if value == "all" else list(value)
+    return value
+
+
+def from_property(entry: Setting, value: Any) -> Any:
+    if entry.kind == "number":
+        return getattr(value, "Value", value)
+    if entry.kind == "layers":
+        return int(value) if value.strip().isdigit() else value
+    if entry.kind == "faces":
+        return list(value) or "all"
+    return value
+
+
+def plain_values(values: Mapping[str, Any], table: Iterable[Setting]) -> Dict[str, Any]:
+    """Numbers in mm and degrees for texts and quantities with a unit. Raises InputError."""
+    plain = dict(values)
+    for entry in table:
+        value = plain.get(entry.key)
+        if entry.kind == "number" and isinstance(value, (str, FreeCAD.Units.Quantity)):
+            plain[entry.key] = _in_unit(entry.key, value, entry.unit)
+    return plain
+
+
+def _in_unit(key: str, value, unit: str) -> float:
+    try:
+        quantity = FreeCAD.Units.Quantity(value)
+        plain = quantity.Unit == FreeCAD.Units.Unit()
+        return quantity.Value if plain or not unit else float(quantity.getValueAs(unit))
+    except (ValueError, ArithmeticError, SyntaxError, TypeError) as error:
+        what = f"in {unit}" if unit else "without a unit"
+        raise InputError(key, f"must be a number {what}, got {str(value)!r}") from error

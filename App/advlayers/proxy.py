@@ -1,0 +1,32 @@
+"""What every Python object behind a FreeCAD object has in common."""
+from __future__ import annotations
+
+import FreeCAD
+
+
+class Stateless:
+    """Saves nothing of its own: all data lies in properties.
+
+    FreeCAD 0.20 calls the second pair, later versions the first.
+    """
+
+    def dumps(self):
+        return None
+
+    def loads(self, _state) -> None:
+        return None
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, _state) -> None:
+        return None
+
+
+def attach_view(document_object) -> None:
+    """Gives the object our view provider where there is a window: files saved without one carry
+    none, and FreeCAD restores the object without asking for it."""
+    if FreeCAD.GuiUp:
+        from advlayers_gui import view_provider
+
+        view_provider.attach_to(document_object)

@@ -1,0 +1,193 @@
+"""Walls, sizes and groups as objects of a document, and what they add up to."""
+import advlayers
+import FreeCAD
+import pytest
+from advlayers import controls, layer_mesh
+from advlayers.errors import InputError
+from advlayers.properties import property_name, unset_value
+from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS
+
+
+@pytest.fixture
+def box():
+    document = FreeCAD.newDocument("Controls")
+    made = document.addObject("Part::Box", "Box")
+    made.Length, made.Width, made.Height = 30, 20, 10
+    document.recompute()
+    yield made
+    FreeCAD.closeDocument(document.Name)
+
+
+@pytest.fixture
+def mesh(box):
+    return advlayers.make_layer_mesh(box, mesh_now=False, size=5, first_height=0.5, layers=2)
+
+
+def edge_names(shape, face):
+    """The edges of a face, by name."""
+    return sorted(f"Edge{i}" for i, edge in enumerate(shape.Edges, 1)
+                  if any(edge.isSame(other) for other in shape.Faces[face - 1].Edges))
+
+
+def test_without_children_every_edge_is_a_wall(mesh):
+    assert layer_mesh.settings_of(mesh)["walls"] == "all"
+    mesh.GrowFromAll = False
+    assert layer_mesh.settings_of(mesh)["walls"] == ()
+
+
+def test_a_wall_says_what_it_holds(mesh):
+    wall = advlayers.make_wall(mesh, ["Edge1", "Edge2"], first_height="0.25 mm", layers=1)
+    assert mesh.WallList == [wall] and controls.mesh_of(wall) is mesh
+    assert wall.FirstHeight.Value == 0.25 and wall.Growth == 0.0
+    assert wall.References == [(mesh.Part, ("Edge1", "Edge2"))]
+    (entry,) = layer_mesh.settings_of(mesh)["walls"]
+    given = {key: value for key, value in entry.items() if value not in (None, ())}
+    assert given == {"edges": ("Edge1", "Edge2"), "first_height": 0.25, "layers": 1}
+    advlayers.update(mesh)
+    names = [mesh.FemMesh.getGroupName(i) for i in mesh.FemMesh.Groups]
+    assert "Layer1" in names and "Layer2" not in names
+
+
+def test_faces_stand_for_their_edges(box, mesh):
+    advlayers.make_wall(mesh, [(box, ("Face1", "Face3"))])
+    (entry,) = layer_mesh.settings_of(mesh)["walls"]
+    assert entry["faces"] == ("Face1", "Face3")
+    assert set(entry["edges"]) == set(edge_names(box.Shape, 1)) | set(edge_names(box.Shape, 3))
+
+
+def test_seams_are_no_walls(box):
+    cylinder = box.Document.addObject("Part::Cylinder", "Cylinder")
+    box.Document.recompute()
+    made = advlayers.make_layer_mesh(cylinder, mesh_now=False, size=2, layers=1)
+    advlayers.make_wall(made, ["Face1"])
+    (entry,) = layer_mesh.settings_of(made)["walls"]
+    circles = {f"Edge{i}" for i, edge in enumerate(cylinder.Shape.Edges, 1) if edge.isClosed()}
+    assert len(circles) == 2 and set(entry["edges"]) == circles
+    advlayers.update(made)
+
+
+def test_match_and_off(mesh):
+    advlayers.make_wall(mesh, ["Edge1"])
+    advlayers.make_wall(mesh, ["Edge2"], condition="match")
+    off = advlayers.make_wall(mesh, ["Edge3"], condition="Off")
+    settings = layer_mesh.settings_of(mesh)
+    assert settings["match"] == ("Edge2",) and settings["off"] == ("Edge3",)
+    assert len(settings["walls"]) == 1
+    off.Condition = "Wall"
+    assert len(layer_mesh.settings_of(mesh)["walls"]) == 2
+
+
+def test_groups_carry_their_label(mesh):
+    group = advlayers.make_group(mesh, "inlet", ["Face1", "Edge5"])
+    other = advlayers.make_layer_mesh(mesh.Part, mesh_now=False, size=5,
+                                      groups={"inlet": ["Face2"]})
+    assert layer_mesh.settings_of(mesh)["groups"] == {"inlet": ("Face1", "Edge5")}
+    assert layer_mesh.settings_of(other)["groups"] == {"inlet": ("Face2",)}
+    group.Label = "outlet"
+    advlayers.update(mesh)
+    kinds = [mesh.FemMesh.getGroupElementType(i) for i in mesh.FemMesh.Groups
+             if mesh.FemMesh.getGroupName(i) == "outlet"]
+    assert kinds == ["Face", "Node"]
+
+
+@pytest.mark.parametrize("make, arguments, words", [
+    (advlayers.make_wall, {"references": []}, "must not be empty"),
+    (advlayers.make_wall, {"references": ["Edge99"]}, "there are 12 edges"),
+    (advlayers.make_wall, {"references": ["Vertex1"]}, "cannot hold Vertex1"),
+    (advlayers.make_wall, {"references": ["Wing"]}, "no face, edge or vertex"),
+    (advlayers.make_wall, {"references": ["Edge1"], "first_height": -1}, "first_height must be"),
+    (advlayers.make_wall, {"references": ["Edge1"], "height": 1}, "height is no known key"),
+    (advlayers.make_wall, {"references": ["Edge1"], "condition": "none"}, "must be one of"),
+    (advlayers.make_size, {"references": ["Edge1"], "size": "3 kg"}, "size must be a number"),
+])
+def test_bad_values_leave_the_document_alone(mesh, make, arguments, words):
+    before = [entry.Name for entry in mesh.Document.Objects]
+    with pytest.raises(InputError, match=words):
+        make(mesh, **arguments)
+    assert [entry.Name for entry in mesh.Document.Objects] == before
+
+
+@pytest.mark.parametrize("table", [WALL_SETTINGS, SIZE_SETTINGS])
+def test_every_value_can_be_left_out(box, mesh, table):
+    make = advlayers.make_wall if table is WALL_SETTINGS else advlayers.make_size
+    child = make(mesh, ["Edge1"])
+    assert controls.values(child) == {}
+    for entry in controls.value_settings(table):
+        value = getattr(child, property_name(entry))
+        assert getattr(value, "Value", value) == unset_value(entry)
+        assert entry.doc in child.getDocumentationOfProperty(property_name(entry))
+
+
+def test_children_mark_the_mesh_out_of_date(mesh):
+    wall = advlayers.make_wall(mesh, ["Edge1"])
+    advlayers.update(mesh)
+    mesh.Document.recompute()
+    assert mesh.State == layer_mesh.UP_TO_DATE
+    wall.FirstHeight = 0.3
+    mesh.Document.recompute()
+    assert mesh.State == layer_mesh.OUT_OF_DATE
+    wall.FirstHeight = 0
+    mesh.Document.recompute()
+    assert mesh.State == layer_mesh.UP_TO_DATE
+    mesh.Document.removeObject(wall.Name)
+    mesh.Document.recompute()
+    assert mesh.State == layer_mesh.OUT_OF_DATE
+
+
+def test_automatic_update(mesh):
+    wall = advlayers.make_wall(mesh, ["Edge1"], first_height=0.5)
+    mesh.AutoUpdate = True
+    mesh.Document.recompute()
+    assert mesh.State == layer_mesh.UP_TO_DATE and mesh.QuadCount > 0
+    first = mesh.MeshId
+    mesh.Document.recompute(None, True)
+    assert mesh.MeshId == first
+    wall.FirstHeight = 0.25
+    mesh.Document.recompute()
+    assert mesh.State == layer_mesh.UP_TO_DATE and mesh.MeshId != first
+
+
+def test_save_and_restore(mesh, tmp_path):
+    advlayers.make_wall(mesh, ["Edge1"], first_height=0.3, layers=1)
+    advlayers.make_wall(mesh, ["Edge2"], condition="Off")
+    advlayers.make_group(mesh, "inlet", ["Face1"])
+    advlayers.update(mesh)
+    before = layer_mesh.settings_of(mesh)
+    path = str(tmp_path / "saved.FCStd")
+    mesh.Document.saveCopy(path)
+    document = FreeCAD.openDocument(path)
+    try:
+        restored = document.getObject("LayerMesh")
+        assert [controls.is_control(child) for child in controls.children(restored)] == [True] * 3
+        document.recompute(None, True)
+        assert restored.State == layer_mesh.UP_TO_DATE
+        assert layer_mesh.settings_of(restored) == before
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def test_a_copy_has_children_of_its_own(mesh):
+    advlayers.make_wall(mesh, ["Edge1"], first_height=0.3)
+    advlayers.make_group(mesh, "inlet", ["Face1"])
+    before = layer_mesh.settings_of(mesh)
+    copy = mesh.Document.copyObject(mesh, False)
+    assert copy.Part is mesh.Part
+    assert layer_mesh.settings_of(copy) == before
+    assert not set(controls.children(copy)) & set(controls.children(mesh))
+    copy.WallList[0].FirstHeight = 0.1
+    assert layer_mesh.settings_of(mesh) == before
+    whole = mesh.Document.copyObject(mesh, True)
+    assert whole.Part is not mesh.Part
+    assert {child.References[0][0] for child in controls.children(whole)} == {whole.Part}
+
+
+def test_children_of_a_copy_in_another_document(mesh):
+    advlayers.make_wall(mesh, ["Edge1"], first_height=0.3)
+    before = layer_mesh.settings_of(mesh)
+    other = FreeCAD.newDocument("Other")
+    try:
+        copy = other.copyObject(mesh, True)
+        assert layer_mesh.settings_of(copy) == before
+        assert all(child.Document is other for child in controls.children(copy))
+    finally:
+        FreeCAD.closeDocument(other.Name)
