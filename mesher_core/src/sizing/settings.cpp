@@ -13,6 +13,7 @@ namespace advlayers {
 namespace {
 
 constexpr double kMaxGrowth = 10.0;
+constexpr double kMostElements = 1e8;  // some 50 GB of mesh
 
 [[noreturn]] void refuse(const std::string& name, const std::string& rule, double value,
                          const std::string& where) {
@@ -122,6 +123,21 @@ void check_conditions(const Settings& settings, const Model& model) {
   }
 }
 
+// An isotropic mesh is the least that the size asks for; the layers only add to it.
+void check_amount(const Settings& settings, const Model& model) {
+  double area = 0.0;  // [mm^2]
+  for (const FaceId f : settings.faces) area += model.face(f).area;
+  if (settings.faces.empty()) {
+    for (const Face& face : model.faces()) area += face.area;
+  }
+  const double elements = area / (settings.size * settings.size);
+  if (elements <= kMostElements) return;
+  std::ostringstream text;
+  text << "size is too small: " << settings.size << " mm asks for " << elements
+       << " elements, and " << kMostElements << " are the most";
+  throw InvalidInput(text.str());
+}
+
 }  // namespace
 
 void check(const Settings& settings, const Model& model) {
@@ -134,6 +150,7 @@ void check(const Settings& settings, const Model& model) {
   }
   if (settings.threads < 0) refuse("threads", ">= 0", settings.threads, "");
   for (const FaceId f : settings.faces) check_face(f, model, "faces");
+  check_amount(settings, model);
   check_conditions(settings, model);
   check_walls_apart(settings);
 }

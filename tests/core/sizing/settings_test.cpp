@@ -84,6 +84,16 @@ TEST(Settings, NothingThatIsNoNumberPasses) {
   }
 }
 
+TEST(Settings, ASizeBeyondAllMemoryIsRefused) {
+  Settings settings = good();
+  settings.size = settings.first_height = 1e-4;
+  EXPECT_NE(refusal(settings).find("size is too small"), std::string::npos);
+  settings.size = 1e-3;  // of 148 mm^2
+  EXPECT_NE(refusal(settings).find("size is too small"), std::string::npos);
+  settings.faces = {FaceId(0)};  // 30 mm^2
+  EXPECT_EQ(refusal(settings), "");
+}
+
 TEST(Settings, NamesOutOfRangeAreToldWithWhatTheModelHas) {
   Settings s = good();
   s.faces = {FaceId(98)};
