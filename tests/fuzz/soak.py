@@ -2,8 +2,10 @@
 
     ./dev soak [PART ...] [--count N] [--seed S] [--only NUMBER ...] [--processes N] [--json FILE]
 
-PART: faces (200 random faces on plane, cylinder, sphere and B-spline saddle), solids (300 random
-solids: primitives, booleans, fillets, lofts, sweeps, threads); without PART, all.
+PART: faces (200 random faces on plane, cylinder, sphere and B-spline saddle), invariance (60 of
+them turned, moved, scaled and mirrored), solids (300 random solids: primitives, booleans, fillets,
+lofts, sweeps, threads), jobs (150 spoilt job files), damaged (150 damaged CAD files); without
+PART, all.
 The same seed gives the same cases. What fails is written to out/soak as BREP and job file, to be
 meshed again with `freecadcmd App/advlayers_batch.py out/soak/NAME.job.json`, or measured again
 with --only. Exit status 1: a case or a median missed its bar.
@@ -33,7 +35,10 @@ class Part:
 
 PARTS = {
     "faces": Part("face_soak", 200, 60.0),
+    "invariance": Part("invariance_soak", 60, 120.0),
     "solids": Part("solid_soak", 300, 120.0),
+    "jobs": Part("job_soak", 150, 90.0),
+    "damaged": Part("damaged_soak", 150, 60.0),
 }
 
 
