@@ -133,8 +133,8 @@ void check_amount(const Settings& settings, const Model& model) {
   const double elements = area / (settings.size * settings.size);
   if (elements <= kMostElements) return;
   std::ostringstream text;
-  text << "size is too small: " << settings.size << " mm asks for " << elements
-       << " elements, and " << kMostElements << " are the most";
+  text << "size is too small: " << settings.size << " mm asks for " << elements << " elements, and "
+       << kMostElements << " are the most";
   throw InvalidInput(text.str());
 }
 
