@@ -46,8 +46,8 @@ def page():
         "report names the one taken.", "",
         "## Mesh", "", _table(table.MESH_SETTINGS, properties=True), "",
         "## One wall of a list of walls", "", _table(table.WALL_SETTINGS, properties=False), "",
-        "With a list of walls, other boundary edges that touch a wall are match edges (meshed like "
-        "off edges so far), the rest are off; `match` and `off` override that.", "",
+        "With a list of walls, other boundary edges that touch a wall are match edges, the "
+        "rest are off; `match` and `off` override that.", "",
         "## Output formats", "", _formats(), "",
         "Element groups: `FaceN` and `LayerN` or `Core`; node groups: `EdgeN`; and those of the "
         "setting `groups`. Nodes and elements are numbered from 1, quads before triangles.", "",

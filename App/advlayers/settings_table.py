@@ -82,13 +82,15 @@ MESH_SETTINGS = (
     ),
     Setting(
         "match", "edges", (),
-        "Boundary edges that layers are to run along. Meshed like off edges so far: layers end one "
-        "segment before them.",
+        "Boundary edges that layers run along: their nodes lie where the layers of the walls at "
+        "their ends arrive. Beside listed walls, the edges that meet them are match edges by "
+        "default.",
         child="Wall",
     ),
     Setting(
         "off", "edges", (),
-        "Boundary edges without layers, where walls alone do not tell.",
+        "Boundary edges that no layer grows from or runs along: beside them each layer ends in a "
+        "triangle.",
         child="Wall",
     ),
     Setting(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "boundary/edge_spacing.h"
 
@@ -19,7 +20,8 @@ constexpr double kSizeTolerance = 1.1;
 constexpr int kMaxRounds = 200;
 // Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
 constexpr double kNormalAngle = M_PI / 6.0;
-constexpr int kMinLoop = 3;  // segments
+constexpr int kMinLoop = 3;       // segments
+constexpr double kUnlike = 0.02;  // layers on both sides of an edge that differ more are reported
 
 // A stretch of an edge between two joints: CAD vertices, or kinks of the curve.
 struct Stretch {
@@ -42,13 +44,14 @@ class Discretizer {
     make_stretches();
   }
 
-  Discretization run() {
+  Discretization run(const std::vector<MatchEnd>& match_ends) {
     for (Stretch& stretch : stretches_) {
       stretch.spacing.require(stretch.required);
       stretch.spacing.cut();
     }
     grade();
     while (part_coincident() || lengthen_loops()) grade();
+    run_layers_along(match_ends);
     return collect();
   }
 
@@ -191,8 +194,66 @@ class Discretizer {
     return true;
   }
 
+  // After all else: the segments that layers need at their ends shorten no other edge's.
+  void run_layers_along(const std::vector<MatchEnd>& match_ends) {
+    std::map<std::pair<EdgeId, int>, std::vector<const MatchEnd*>> at_end;
+    for (const MatchEnd& match : match_ends) at_end[{match.edge, match.end}].push_back(&match);
+    std::vector<std::pair<std::size_t, LayeredCuts>> planned;  // all by the walls as they are now
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      const EdgeId edge = stretches_[i].edge;
+      std::vector<LayerSeries> series[2];
+      for (int end = 0; end < 2; ++end) {
+        const auto found = at_end.find({edge, end});
+        const auto& stretches = of_edge_[edge.index()];
+        if (found == at_end.end() || i != (end == 0 ? stretches.front() : stretches.back())) {
+          continue;
+        }
+        for (const MatchEnd* match : found->second) series[end].push_back(series_of(*match));
+      }
+      if (series[0].empty() && series[1].empty()) continue;
+      LayeredCuts cuts = lay_out_layers(stretches_[i].spacing.length(), series[0], series[1]);
+      if (cuts.spread > kUnlike) note_spread(edge, cuts.spread);
+      planned.emplace_back(i, std::move(cuts));
+    }
+    for (auto& [i, cuts] : planned) {
+      stretches_[i].spacing.set_layers(std::move(cuts));
+      stretches_[i].spacing.cut();
+    }
+  }
+
+  LayerSeries series_of(const MatchEnd& match) {
+    const auto& stretches = of_edge_[match.wall.index()];
+    const Stretch& wall = stretches_[match.wall_end == 0 ? stretches.front() : stretches.back()];
+    WallPlace place;
+    place.part = match.wall_end;
+    place.segment = wall.spacing.end_segment(match.wall_end);
+    place.curvature =
+        evaluator_.edge_curvature(match.wall, match.wall_end == 0 ? wall.t_begin : wall.t_end);
+    LayerSeries series;
+    series.height = first_height_at(match.spacing, place, match.max_height);
+    series.growth = match.spacing.growth;
+    series.layers = match.spacing.layers;
+    series.most = match.max_height;
+    series.sine = match.sine;
+    if (match.stop_at_isotropy) series.isotropic = place.segment;
+    return series;
+  }
+
+  void note_spread(EdgeId edge, double spread) {
+    Diagnostic note;
+    note.severity = Severity::kInfo;
+    note.code = "match-mean";
+    std::ostringstream text;
+    text << edge_name(edge) << ": the layers of the faces beside it would cut it differently; its "
+         << "nodes follow the mean, and leave the heights asked for by up to "
+         << std::lround(100.0 * spread) << " %";
+    note.text = text.str();
+    notes_.push_back(std::move(note));
+  }
+
   Discretization collect() {
     Discretization out;
+    out.notes = std::move(notes_);
     out.edges.resize(model_.edges().size());
     joint_node_.assign(static_cast<std::size_t>(joint_count_), NodeId());
     add_vertices(out);
@@ -269,12 +330,14 @@ class Discretizer {
   std::vector<Stretch> stretches_;
   std::vector<std::vector<std::size_t>> of_edge_;
   std::vector<NodeId> joint_node_;
+  std::vector<Diagnostic> notes_;
 };
 
 }  // namespace
 
-Discretization discretize(Evaluator& evaluator, const Settings& settings) {
-  return Discretizer(evaluator, settings).run();
+Discretization discretize(Evaluator& evaluator, const Settings& settings,
+                          const std::vector<MatchEnd>& match_ends) {
+  return Discretizer(evaluator, settings).run(match_ends);
 }
 
 }  // namespace advlayers

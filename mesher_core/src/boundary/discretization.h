@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "base/diagnostic.h"
 #include "base/types.h"
+#include "boundary/match_end.h"
 #include "geometry/evaluator.h"
 #include "sizing/settings.h"
 
@@ -23,11 +25,14 @@ struct EdgeNodes {
 
 struct Discretization {
   std::vector<BoundaryNode> nodes;
-  std::vector<EdgeNodes> edges;  // by EdgeId; a degenerate edge has one node and no segment
+  std::vector<EdgeNodes> edges;   // by EdgeId; a degenerate edge has one node and no segment
+  std::vector<Diagnostic> notes;  // where the layers of two faces do not fall on the same nodes
 };
 
 // Cuts edges by size, curvature angle and a graded transition from short edges. A closed edge gets
-// at least three segments; every edge at least one. Edges of no meshed face are left empty.
-Discretization discretize(Evaluator& evaluator, const Settings& settings);
+// at least three segments; every edge at least one. Edges of no meshed face are left empty. Layers
+// that run along an edge take its ends: their nodes come first, and what lies between blends in.
+Discretization discretize(Evaluator& evaluator, const Settings& settings,
+                          const std::vector<MatchEnd>& match_ends = {});
 
 }  // namespace advlayers

@@ -105,30 +105,62 @@ void EdgeSpacing::limit_end(int end, double spacing) {
   end_limit_[end] = std::min(end_limit_[end], spacing);
 }
 
-// The wanted spacing, held to the slope from every sample and from the ends.
-std::vector<double> EdgeSpacing::graded() const {
-  std::vector<double> h(samples_.size());
-  for (std::size_t i = 0; i < h.size(); ++i) h[i] = samples_[i].spacing;
-  h.front() = std::min(h.front(), end_limit_[0]);
-  h.back() = std::min(h.back(), end_limit_[1]);
+// The wanted spacing between two arc lengths, held to the slope from every sample and the ends.
+std::vector<EdgeSpacing::Sample> EdgeSpacing::graded(double from, double to) const {
+  std::vector<Sample> h{{from, std::numeric_limits<double>::infinity()}};
+  for (const Sample& sample : samples_) {
+    if (sample.s <= from) {
+      h.front().spacing = sample.spacing;
+    } else {
+      h.push_back({std::min(sample.s, to), sample.spacing});
+      if (sample.s >= to) break;
+    }
+  }
+  h.front().spacing = std::min(h.front().spacing, end_limit_[0]);
+  h.back().spacing = std::min(h.back().spacing, end_limit_[1]);
+  const auto blend = [&h](std::size_t i, const std::vector<double>& layers) {
+    if (!layers.empty()) h[i].spacing = std::min(h[i].spacing, layers.back());
+  };
+  blend(0, layers_.segments[0]);
+  blend(h.size() - 1, layers_.segments[1]);
   for (std::size_t i = 1; i < h.size(); ++i) {
-    h[i] = std::min(h[i], h[i - 1] + kSlope * (samples_[i].s - samples_[i - 1].s));
+    h[i].spacing = std::min(h[i].spacing, h[i - 1].spacing + kSlope * (h[i].s - h[i - 1].s));
   }
   for (std::size_t i = h.size() - 1; i-- > 0;) {
-    h[i] = std::min(h[i], h[i + 1] + kSlope * (samples_[i + 1].s - samples_[i].s));
+    h[i].spacing = std::min(h[i].spacing, h[i + 1].spacing + kSlope * (h[i + 1].s - h[i].s));
   }
   return h;
 }
 
 void EdgeSpacing::cut() {
-  const std::vector<double> h = graded();
+  cuts_.assign(1, 0.0);
+  for (const double segment : layers_.segments[0]) cuts_.push_back(cuts_.back() + segment);
+  std::vector<double> from_end;
+  double to = length();
+  for (const double segment : layers_.segments[1]) {
+    from_end.push_back(to);
+    to -= segment;
+  }
+  if (layers_.closed) {
+    cuts_.push_back(to);
+  } else {
+    cut_between(cuts_.back(), to);
+  }
+  cuts_.insert(cuts_.end(), from_end.rbegin(), from_end.rend());
+}
+
+void EdgeSpacing::cut_between(double from, double to) {
+  const std::vector<Sample> h = graded(from, to);
   // Segments up to each sample: the integral of ds / h, h linear between samples.
   std::vector<double> shares(h.size(), 0.0);
+  double least = h[0].spacing, most = h[0].spacing;
   for (std::size_t i = 1; i < h.size(); ++i) {
-    const double ds = samples_[i].s - samples_[i - 1].s, dh = h[i] - h[i - 1];
-    const double rise = dh / h[i - 1];
-    const double share = std::abs(rise) < 1e-9 ? ds / h[i - 1] : ds / dh * std::log1p(rise);
+    const double ds = h[i].s - h[i - 1].s, dh = h[i].spacing - h[i - 1].spacing;
+    const double rise = dh / h[i - 1].spacing;
+    const double share = std::abs(rise) < 1e-9 ? ds / h[i - 1].spacing : ds / dh * std::log1p(rise);
     shares[i] = shares[i - 1] + share;
+    least = std::min(least, h[i].spacing);
+    most = std::max(most, h[i].spacing);
   }
   const double total = shares.back();
   if (!(total < kMaxSegments)) {
@@ -136,25 +168,23 @@ void EdgeSpacing::cut() {
                        std::to_string(total) + " segments");
   }
   const int n = std::max(required_, static_cast<int>(std::ceil(total - kUniform * (1.0 + total))));
-  const auto [least, most] = std::minmax_element(h.begin(), h.end());
-  const bool uniform = *most - *least <= kUniform * *most;
-  cuts_.assign(1, 0.0);
+  const bool uniform = most - least <= kUniform * most;
   std::size_t cell = 1;
   for (int k = 1; k < n; ++k) {
     if (uniform) {
-      cuts_.push_back(length() * k / n);
+      cuts_.push_back(from + (to - from) * k / n);
       continue;
     }
     const double share = total * k / n;
     while (cell + 1 < shares.size() && shares[cell] < share) ++cell;
-    const double ds = samples_[cell].s - samples_[cell - 1].s;
-    const double slope = (h[cell] - h[cell - 1]) / ds, part = share - shares[cell - 1];
+    const Sample &a = h[cell - 1], &b = h[cell];
+    const double ds = b.s - a.s, slope = (b.spacing - a.spacing) / ds;
+    const double part = share - shares[cell - 1];
     const bool level = std::abs(slope * part) < 1e-9;
-    const double walked =
-        level ? part * h[cell - 1] : h[cell - 1] * std::expm1(slope * part) / slope;
-    cuts_.push_back(samples_[cell - 1].s + std::min(walked, ds));
+    const double walked = level ? part * a.spacing : a.spacing * std::expm1(slope * part) / slope;
+    cuts_.push_back(a.s + std::min(walked, ds));
   }
-  cuts_.push_back(length());
+  cuts_.push_back(to);
 }
 
 double EdgeSpacing::end_segment(int end) const {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "boundary/match_end.h"
 #include "geometry/evaluator.h"
 
 namespace advlayers {
@@ -32,6 +33,8 @@ class EdgeSpacing {
   // The segment at an end (0: the begin) is to be about `spacing` long, and those after it to grow
   // from there. Only ever lowered.
   void limit_end(int end, double spacing);
+  // Its first segments from either end are given; only what lies between is cut by size and angles.
+  void set_layers(LayeredCuts layers) { layers_ = std::move(layers); }
   // Cuts anew; arc lengths from the begin, both ends included.
   // Throws InvalidInput where the size would cut the edge into millions.
   void cut();
@@ -53,7 +56,8 @@ class EdgeSpacing {
   Station station(double t, double inward) const;
   void refine(const Station& a, const Station& b, int depth);
   double turn_spacing(const Station& a, const Station& b) const;
-  std::vector<double> graded() const;
+  std::vector<Sample> graded(double from, double to) const;
+  void cut_between(double from, double to);
 
   Evaluator* evaluator_;
   EdgeId edge_;
@@ -65,6 +69,7 @@ class EdgeSpacing {
   int required_ = 1;
   double end_limit_[2] = {std::numeric_limits<double>::infinity(),
                           std::numeric_limits<double>::infinity()};
+  LayeredCuts layers_;
   std::vector<double> cuts_;
 };
 

@@ -27,13 +27,13 @@ Front::Front(const SurfaceMesh& mesh, const WallPlan& plan) {
       i = size();
       FrontNode node;
       node.vertex = node.root = v;
-      node.height = wall.first_height;
+      node.height = wall.height_at(mesh.data(v).node);
       node.growth = wall.growth;
       node.layers_left = wall.layers;
       nodes_.push_back(node);
     } else {  // between two walls: the mean height, the fewer layers
       FrontNode& node = nodes_[static_cast<std::size_t>(i)];
-      node.height = 0.5 * (node.height + wall.first_height);
+      node.height = 0.5 * (node.height + wall.height_at(mesh.data(v).node));
       node.growth = 0.5 * (node.growth + wall.growth);
       node.layers_left = std::min(node.layers_left, wall.layers);
     }
@@ -62,19 +62,6 @@ Front::Front(const SurfaceMesh& mesh, const WallPlan& plan) {
 int Front::active_count() const {
   return static_cast<int>(
       std::count_if(nodes_.begin(), nodes_.end(), [](const FrontNode& n) { return n.active; }));
-}
-
-void Front::stop(int i, const SurfaceMesh& mesh) {
-  FrontNode& node = (*this)[i];
-  if (!node.active) return;
-  node.active = false;
-  for (const auto& [a, b] : {std::pair{node.prev, i}, std::pair{i, node.next}}) {
-    if (a < 0 || b < 0) continue;
-    const HalfedgeH h = mesh.find_halfedge((*this)[a].vertex, (*this)[b].vertex);
-    if (h.valid()) idle_edges_.push_back(h);
-    (*this)[a].next = -1;
-    (*this)[b].prev = -1;
-  }
 }
 
 void Front::bridge(int before, int after) {

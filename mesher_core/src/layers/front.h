@@ -20,6 +20,7 @@ struct FrontNode {
   int layers_left = 0;
   VertexH root;      // the wall vertex whose column this is
   int fan_age = -1;  // layers since a fan made it; -1: not of a fan
+  double lag = 0.0;  // of a chain's end behind its layer, along the boundary [mm]
   bool active = true;
 };
 
@@ -52,8 +53,6 @@ class Front {
   const std::vector<HalfedgeH>& idle_edges() const { return idle_edges_; }
   void add_idle_edge(HalfedgeH h) { idle_edges_.push_back(h); }
 
-  // Takes the node out of the front; the edges beside it become idle.
-  void stop(int i, const SurfaceMesh& mesh);
   // Takes the nodes of a consumed run out and joins what is left on both sides.
   void bridge(int before, int after);
   // Joins p's and q's runs by an edge between them that both runs turn back at: the front then runs

@@ -8,6 +8,7 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>  // newer Boosts leave it to the user
+#include <cmath>
 
 namespace advlayers {
 namespace {
@@ -28,7 +29,10 @@ Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
   return a + t * ab;
 }
 
-constexpr double kAheadCosine = 0.5;     // 60 degrees
+constexpr double kAheadCosine = 0.5;  // 60 degrees
+// Layers run along a boundary edge that nothing grows from, if it lies this nearly in their
+// direction.
+constexpr double kAlongCosine = 0.7;
 constexpr double kSameSideCosine = 0.3;  // a thin shell's other side does not count
 
 }  // namespace
@@ -36,7 +40,7 @@ constexpr double kSameSideCosine = 0.3;  // a thin shell's other side does not c
 struct FrontIndex::Tree {
   struct Edge {
     VertexH from, to;
-    bool advancing;
+    bool advancing, boundary;
   };
   std::vector<Edge> edges;
   bg::index::rtree<std::pair<BoostBox, std::size_t>, bg::index::linear<16>> boxes;
@@ -45,10 +49,10 @@ struct FrontIndex::Tree {
 FrontIndex::FrontIndex(const SurfaceMesh& mesh, const Front& front)
     : mesh_(&mesh), front_(&front), tree_(std::make_unique<Tree>()) {
   for (const FrontNode& node : front.nodes()) {
-    if (node.next >= 0) tree_->edges.push_back({node.vertex, front[node.next].vertex, true});
+    if (node.next >= 0) tree_->edges.push_back({node.vertex, front[node.next].vertex, true, false});
   }
   for (const HalfedgeH h : front.idle_edges()) {
-    tree_->edges.push_back({mesh.from(h), mesh.to(h), false});
+    tree_->edges.push_back({mesh.from(h), mesh.to(h), false, mesh.is_border(SurfaceMesh::twin(h))});
   }
   std::vector<std::pair<BoostBox, std::size_t>> boxes;
   boxes.reserve(tree_->edges.size());
@@ -71,6 +75,10 @@ bool FrontIndex::nearest_ahead(int node, const NodeShape& shape, double reach, H
     if (ahead >= 0) near[k] = (*front_)[ahead].vertex;
     if (behind >= 0) near[k + 1] = (*front_)[behind].vertex;
   }
+  const auto runs_along = [&](const Tree::Edge& edge, const Vec3& direction) {
+    const Vec3 along = mesh_->position(edge.to) - mesh_->position(edge.from);
+    return std::abs(along.dot(direction)) > kAlongCosine * along.norm();
+  };
   const auto joined = [&](VertexH v) {
     return std::find(near.begin(), near.end(), v) != near.end();
   };
@@ -83,6 +91,7 @@ bool FrontIndex::nearest_ahead(int node, const NodeShape& shape, double reach, H
     if (joined(edge.from) || joined(edge.to)) return;
     const Vec3 to = closest_on_segment(mesh_->position(edge.from), mesh_->position(edge.to), p) - p;
     const double distance = to.norm();
+    if (edge.boundary && runs_along(edge, shape.inward)) return;
     if (distance >= hit.distance || to.dot(shape.inward) < kAheadCosine * distance) return;
     if (mesh_->data(edge.from).normal.dot(shape.normal) < kSameSideCosine) return;
     hit = {distance, edge.from, edge.to, edge.advancing};

@@ -23,6 +23,12 @@ void undo(LayerState& state, Kid& kid) {
   kid.alive = false;
   if (!kid.vertex.valid()) return;
   SurfaceMesh& mesh = state.mesh;
+  if (kid.given) {
+    if (kid.parents.empty()) return;
+    mesh.data(kid.vertex).layer = 0;
+    mesh.data(kid.vertex).parent = VertexH();
+    return;
+  }
   const HalfedgeH first = mesh.outgoing(kid.vertex);
   HalfedgeH h = first;
   do {
@@ -35,7 +41,15 @@ void undo(LayerState& state, Kid& kid) {
   kid.vertex = VertexH();
 }
 
-void insert(LayerState& state, Kid& kid) {
+// The boundary's next node becomes the kid of a chain's end; an end that stands is its own.
+void take_given(LayerState& state, const Kid& kid) {
+  if (kid.parents.empty()) return;
+  VertexData& data = state.mesh.data(kid.vertex);
+  data.layer = state.layer;
+  data.parent = state.front[kid.origin].vertex;
+}
+
+bool insert_vertex(LayerState& state, Kid& kid) {
   VertexData data;
   data.point = kid.point;
   data.normal = kid.normal;
@@ -43,10 +57,13 @@ void insert(LayerState& state, Kid& kid) {
   const VertexH origin = state.front[kid.origin].vertex;
   data.parent = origin;
   kid.vertex = insert_point(state.mesh, origin, data, state.limits, state.report->vetoes);
-  if (!kid.vertex.valid()) {
-    kid.alive = false;
-    return;
-  }
+  kid.alive = kid.vertex.valid();
+  return kid.alive;
+}
+
+void insert(LayerState& state, Kid& kid) {
+  if (kid.given) take_given(state, kid);
+  if (!kid.given && !insert_vertex(state, kid)) return;
   for (const int parent : kid.parents) {
     if (!freeze(state, state.front[parent].vertex, kid.vertex)) {
       undo(state, kid);
@@ -179,6 +196,7 @@ class NodeMaker {
     node.layers_left = kid.layers_left;
     node.root = kid.root;
     node.fan_age = kid.fan_age;
+    node.lag = kid.lag;
     nodes_.push_back(node);
     return i;
   }

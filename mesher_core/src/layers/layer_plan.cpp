@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
 #include "layers/front_index.h"
+#include "sizing/gap_rule.h"
 
 namespace advlayers {
 namespace {
@@ -28,6 +30,9 @@ constexpr double kCoarsenLength = 0.95;
 constexpr double kCoarsenLongest = 1.2;
 constexpr double kCoarsenTurn = 25.0 * kDegree;
 constexpr double kTreadHeight = 0.42;  // of the inner kids, in heights: evens the angles out
+// A layer that ends beside one this many heights long closes with a triangle; the side of a shorter
+// one is no worse an edge for the core.
+constexpr double kStepAspect = 20.0;
 constexpr double kLeastCellAngle = 4.0 * kDegree;
 
 class Planner {
@@ -44,6 +49,7 @@ class Planner {
   LayerPlan run() {
     measure();
     cap_by_gaps();
+    step_ends();
     for (int i = 0; i < front_.size(); ++i) {
       if (advances(i)) try_row_end(i);
     }
@@ -68,20 +74,26 @@ class Planner {
   const Vec3& position(int i) const { return mesh_.position(front_[i].vertex); }
 
   void measure() {
-    std::vector<std::pair<int, Stop>> ended;  // stopped together, or the last would stand alone
     for (int i = 0; i < front_.size(); ++i) {
       const FrontNode& node = front_[i];
       if (!node.active || (node.prev < 0 && node.next < 0)) continue;
       plan_.shapes[index(i)] = node_shape(mesh_, front_, i);
       heights_[index(i)] = std::min(node.height, state_.max_height);
       if (node.layers_left <= 0) {
-        ended.emplace_back(i, Stop::kLayersReached);
+        end(i, Stop::kLayersReached);
       } else if (state_.stop_at_isotropy && node.height >= shape(i).length()) {
-        ended.emplace_back(i, Stop::kIsotropic);
+        end(i, Stop::kIsotropic);
       }
     }
-    for (const auto& [i, reason] : ended) state_.stop(i, reason);
-    drop_lone_nodes(Stop::kBlocked);
+    drop_lone_nodes(Stop::kNeighbour);
+  }
+
+  // The node stops; neighbours that go on close the layer beside it with a triangle, and stop
+  // themselves a layer later, so that neighbouring columns differ by one layer at most.
+  void end(int i, Stop reason) {
+    state_.note_stop(i, reason);
+    front_[i].active = false;
+    drop_kids_of(i);
   }
 
   // Opposing fronts meet evenly: where two more rows of this height would leave less than one, the
@@ -90,15 +102,12 @@ class Planner {
     const FrontIndex fronts(mesh_, front_);
     std::vector<int> crowded;
     for (int i = 0; i < front_.size(); ++i) {
-      if (!advances(i)) continue;
+      if (!advances(i) || is_chain_end(front_[i])) continue;
       const double height = heights_[index(i)];
       FrontIndex::Hit hit;
       if (!fronts.nearest_ahead(i, shape(i), 3.0 * height, hit)) continue;
-      if (hit.distance < 2.0 * height) {
-        crowded.push_back(i);
-      } else {
-        heights_[index(i)] = hit.distance / 3.0;
-      }
+      heights_[index(i)] = height_in_gap(height, hit.distance);
+      if (heights_[index(i)] <= 0.0) crowded.push_back(i);
     }
     // The two corners at a strip's end do not see each other; they share its width likewise.
     for (int i = 0; i < front_.size(); ++i) {
@@ -107,14 +116,51 @@ class Planner {
       const double third = shape(i).length_next / 3.0;
       for (const int end : {i, k}) heights_[index(end)] = std::min(heights_[index(end)], third);
     }
-    for (const int i : crowded) state_.stop(i, Stop::kCollision);
+    for (const int i : crowded) end(i, Stop::kCollision);
     drop_lone_nodes(Stop::kCollision);
   }
 
+  // A column without neighbours would stand alone.
   void drop_lone_nodes(Stop reason) {
     for (int i = 0; i < front_.size(); ++i) {
-      if (advances(i) && front_[i].prev < 0 && front_[i].next < 0) state_.stop(i, reason);
+      if (!advances(i)) continue;
+      const auto goes_on = [&](int k) { return k >= 0 && advances(k); };
+      if (!goes_on(front_[i].prev) && !goes_on(front_[i].next)) end(i, reason);
     }
+  }
+
+  // The kids of chains' ends, see chain_end.h.
+  void step_ends() {
+    const ChainEnds ends(state_);
+    for (int i = 0; i < front_.size(); ++i) {
+      if (!is_chain_end(front_[i])) continue;
+      const int inner = std::max(front_[i].prev, front_[i].next);
+      const bool follows = !is_chain_end(front_[inner]);
+      if (follows && advances(inner)) {
+        heights_[index(i)] = std::min(heights_[index(i)], heights_[index(inner)]);
+      }
+      const EndStep step = ends.step(i, heights_[index(i)], follows);
+      if (!step.kid.valid()) {
+        if (shape(i).length() > kStepAspect * heights_[index(i)]) end(i, Stop::kNeighbour);
+      } else if (step.height <= 0.0) {
+        end(i, Stop::kCollision);
+      } else {
+        add_given_kid(i, step);
+      }
+    }
+    drop_lone_nodes(Stop::kNeighbour);
+  }
+
+  void add_given_kid(int i, const EndStep& step) {
+    Kid& kid = plan_.kids[index(add_kid(i, mesh_.data(step.kid).point))];
+    kid.vertex = step.kid;
+    kid.given = true;
+    kid.lag = step.lag;
+    if (step.kid == front_[i].vertex) kid.parents.clear();
+  }
+  bool stands(int kid) const {
+    const Kid& k = plan_.kids[index(kid)];
+    return k.given && k.parents.empty();
   }
 
   int add_kid(int node, const SurfacePoint& point) {
@@ -150,7 +196,7 @@ class Planner {
     }
     const double height = heights_[index(i)];
     const double factor = concave_factor(s, height);
-    if (step_kid(i, s.inward, factor * height) < 0) state_.stop(i, Stop::kBlocked);
+    if (step_kid(i, s.inward, factor * height) < 0) end(i, Stop::kBlocked);
   }
 
   // Several kids at a convex corner: the perpendiculars of both edges, and between each two of
@@ -165,8 +211,7 @@ class Planner {
       const double length = diagonal ? height / std::max(0.4, std::cos(0.5 * sector)) : height;
       const int kid = step_kid(i, rotated(first, s.normal, -0.5 * k * sector), length);
       if (kid < 0) {
-        drop_kids_of(i);
-        state_.stop(i, Stop::kBlocked);
+        end(i, Stop::kBlocked);
         return;
       }
       plan_.kids[index(kid)].fan_age = 0;
@@ -299,17 +344,23 @@ class Planner {
   }
 
   void merge(int i, int k) {
+    const auto& of_k = plan_.kids_of[index(k)];
+    if (of_k.size() == 1 && plan_.kids[index(of_k[0])].given) std::swap(i, k);
     auto& kids_i = plan_.kids_of[index(i)];
     auto& kids_k = plan_.kids_of[index(k)];
     if (kids_i.size() != 1 || kids_k.size() != 1 || is_tread(kids_i[0]) || is_tread(kids_k[0]))
       return;
     Kid& kept = plan_.kids[index(kids_i[0])];
     Kid& gone = plan_.kids[index(kids_k[0])];
-    if (kept.parents.size() != 1 || gone.parents.size() != 1) return;
-    SurfacePoint mean;
-    if (!state_.surface.project(0.5 * (kept.point.xyz + gone.point.xyz), kept.point, mean)) return;
-    kept.point = mean;
-    kept.normal = state_.surface.normal(mean);
+    if (kept.parents.size() != 1 || gone.parents.size() != 1 || gone.given) return;
+    if (!kept.given) {
+      SurfacePoint mean;
+      if (!state_.surface.project(0.5 * (kept.point.xyz + gone.point.xyz), kept.point, mean)) {
+        return;
+      }
+      kept.point = mean;
+      kept.normal = state_.surface.normal(mean);
+    }
     kept.parents.push_back(k);
     kept.height = 0.5 * (kept.height + gone.height);
     kept.growth = 0.5 * (kept.growth + gone.growth);
@@ -339,14 +390,49 @@ class Planner {
     cell.alive = convex(cell);
     plan_.cells.push_back(std::move(cell));
   }
+  // The triangle in which a layer ends is as flat as the layer is.
+  void add_end_cell(Cell cell) {
+    cell.alive = signed_area2(corner_of(cell.corners[0]), corner_of(cell.corners[1]),
+                              corner_of(cell.corners[2])) > 0.0;
+    plan_.cells.push_back(std::move(cell));
+  }
 
   bool is_parent(int kid, int node) const {
     const auto& parents = plan_.kids[index(kid)].parents;
     return std::find(parents.begin(), parents.end(), node) != parents.end();
   }
+  // Where the layer ends at one of the two.
+  void add_step_on(int from, int to) {
+    const auto& kids_from = plan_.kids_of[index(from)];
+    const auto& kids_to = plan_.kids_of[index(to)];
+    const int grown = kids_from.empty() ? to : from;
+    const double length = (position(to) - position(from)).norm();
+    if (length < kStepAspect * heights_[index(grown)]) return leave_idle(from, to);
+    if (!kids_from.empty() && is_parent(kids_from.back(), from)) {
+      add_end_cell({{at_node(from), at_node(to), at_kid(kids_from.back())}, {}});
+    } else if (!kids_to.empty() && is_parent(kids_to.front(), to)) {
+      add_end_cell({{at_node(from), at_node(to), at_kid(kids_to.front())}, {}});
+    } else {
+      leave_idle(from, to);
+    }
+  }
+  void leave_idle(int from, int to) {
+    const HalfedgeH h = mesh_.find_halfedge(front_[from].vertex, front_[to].vertex);
+    if (h.valid()) front_.add_idle_edge(h);
+  }
   void add_cell_on(int from, int to) {
-    if (plan_.kids_of[index(from)].empty() || plan_.kids_of[index(to)].empty()) return;
+    if (plan_.kids_of[index(from)].empty() || plan_.kids_of[index(to)].empty()) {
+      add_step_on(from, to);
+      return;
+    }
     const int p = plan_.kids_of[index(from)].back(), q = plan_.kids_of[index(to)].front();
+    if (stands(p) || stands(q)) {
+      if (stands(p) && stands(q)) return;
+      const CellCorner foot = stands(p) ? at_node(to) : at_node(from);
+      if (stands(p)) add_end_cell({{at_kid(p), foot, at_kid(q)}, {{p, q}}});
+      if (stands(q)) add_end_cell({{foot, at_kid(q), at_kid(p)}, {{p, q}}});
+      return;
+    }
     if (p != q) {
       if (!is_tread(p) && !is_tread(q)) {
         add_cell({{at_node(from), at_node(to), at_kid(q), at_kid(p)}, {{p, q}}});

@@ -19,7 +19,9 @@ struct Kid {
   int layers_left = 0;
   int fan_age = -1;
   VertexH root;
-  VertexH vertex;  // once inserted
+  VertexH vertex;      // once inserted
+  bool given = false;  // a vertex of the boundary: neither inserted nor moved
+  double lag = 0.0;    // see FrontNode
   bool alive = true;
 };
 

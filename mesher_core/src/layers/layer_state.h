@@ -28,11 +28,7 @@ struct LayerState {
 
   void count_event(Event event) { ++report->events[static_cast<std::size_t>(event)]; }
 
-  // Takes a node out of the front and notes the reason for its column.
-  void stop(int node, Stop reason) {
-    note_stop(node, reason);
-    front.stop(node, mesh);
-  }
+  // Why the node's column ends.
   void note_stop(int node, Stop reason) {
     ++report->stops[static_cast<std::size_t>(reason)];
     stops.push_back({front[node].root, reason, layer});

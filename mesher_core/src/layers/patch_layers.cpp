@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "layers/chain_end.h"
 #include "layers/close_front.h"
 #include "layers/insert_layer.h"
 #include "layers/layer_plan.h"
@@ -20,7 +21,8 @@ const char* step_name(Step step) {
 
 const char* stop_name(Stop stop) {
   static constexpr std::array<const char*, kStopCount> kNames{
-      "layers-reached", "isotropic", "collision", "closed", "blocked", "merged"};
+      "layers-reached", "isotropic", "collision",        "closed",
+      "blocked",        "merged",    "neighbour-stopped"};
   return kNames[static_cast<std::size_t>(stop)];
 }
 
@@ -52,6 +54,7 @@ struct PatchLayers::Impl {
   void advance_layer() {
     make_way(state);
     done(Step::kMakeWay);
+    ChainEnds::join_facing(state);
     close_front(state);
     done(Step::kRedefine);
     LayerPlan plan = plan_layer(state);

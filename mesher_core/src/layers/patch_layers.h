@@ -37,9 +37,10 @@ enum class Stop : std::uint8_t {
   kCollision,
   kClosed,
   kBlocked,
-  kMerged
+  kMerged,
+  kNeighbour
 };
-inline constexpr int kStopCount = 6;
+inline constexpr int kStopCount = 7;
 const char* stop_name(Stop stop);
 
 // Why the front lost edges; each names the triangles it cost.

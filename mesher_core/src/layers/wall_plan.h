@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "base/types.h"
+#include "sizing/wall_spacing.h"
 
 namespace advlayers {
 
@@ -14,7 +15,15 @@ struct EdgePlan {
   EdgeCondition condition = EdgeCondition::kOff;
   double first_height = 0.0;  // [mm]
   double growth = 1.0;
-  int layers = std::numeric_limits<int>::max();
+  int layers = kUntilClosed;
+  HeightRule rule{};
+  // Where the rule makes the first height vary: that at each node of the edge [mm].
+  std::unordered_map<NodeId, double> heights{};
+
+  double height_at(NodeId node) const {
+    const auto found = heights.find(node);
+    return found == heights.end() ? first_height : found->second;
+  }
 };
 
 struct WallPlan {

@@ -110,8 +110,13 @@ void Mesher::Impl::start() {
   {
     const Stopwatch watch(seconds["boundary"]);
     cancel.check();
+    for_each_job([](PatchJob& job, std::size_t) { job.plan(); });
+    std::vector<MatchEnd> match_ends;
+    for (const auto& job : jobs) {
+      match_ends.insert(match_ends.end(), job->match_ends().begin(), job->match_ends().end());
+    }
     Evaluator evaluator(model);
-    boundary = discretize(evaluator, settings);
+    boundary = discretize(evaluator, settings, match_ends);
   }
   const Stopwatch watch(seconds["triangulate"]);
   triangulate_all();
@@ -205,6 +210,7 @@ MeshResult Mesher::Impl::finish() {
     result.walls.insert(result.walls.end(), walls.begin(), walls.end());
   }
   report_idle_walls(result.diagnostics);
+  result.diagnostics.insert(result.diagnostics.end(), boundary.notes.begin(), boundary.notes.end());
   result.figures = counts.figures(static_cast<int>(result.nodes.size()));
   return result;
 }

@@ -81,13 +81,22 @@ bool PatchJob::guard(const char* code, const Stage& stage) {
   }
 }
 
+void PatchJob::plan() {
+  if (defective_) return;
+  defective_ = !guard("face-not-meshed", [&] {
+    walls_ = plan_walls(evaluator_, *settings_, faces_);
+    matches_ = plan_matches(evaluator_, faces_, walls_);
+    for (Diagnostic& note : matches_.notes) note.patch = id_;
+  });
+}
+
 std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
                                           const CancelFlag& cancel) {
   if (defective_) return {};
-  diagnostics_.clear();
+  diagnostics_ = matches_.notes;
   std::vector<EdgeId> coarse;
   meshed_ = guard("face-not-meshed", [&] {
-    walls_ = plan_walls(evaluator_, *settings_, faces_);
+    resolve_heights(evaluator_, boundary, walls_);
     if (walls_.edges.empty()) {
       complain(Severity::kInfo, "no-boundary",
                patch_name(faces_) + " has no boundary edge that layers could grow from");

@@ -11,6 +11,7 @@
 #include "geometry/patch_surface.h"
 #include "layers/patch_layers.h"
 #include "mesh/surface_mesh.h"
+#include "mesher/match_plan.h"
 #include "mesher/patch_plan.h"
 #include "mesher/result.h"
 #include "sizing/settings.h"
@@ -23,6 +24,7 @@ class PatchJob {
   PatchJob(const PatchJob&) = delete;
 
   // The stages, in this order; each throws Cancelled and nothing else.
+  void plan();  // what grows from each edge, and where layers run along one
   // The CAD edges that are cut too coarsely for this patch: once these are cut finer, it may be
   // triangulated again. Empty where it is meshed, or is left out for another reason.
   std::vector<EdgeId> triangulate(const Discretization& boundary, const CancelFlag& cancel);
@@ -34,6 +36,7 @@ class PatchJob {
   bool borders_on(EdgeId edge) const { return walls_.edges.count(edge) > 0; }
   PatchId id() const { return id_; }
   const std::vector<FaceId>& faces() const { return faces_; }
+  const std::vector<MatchEnd>& match_ends() const { return matches_.ends; }
   double area() const { return area_; }  // [mm^2] of the faces, as a measure of the work
   const SurfaceMesh& mesh() const { return mesh_; }
 
@@ -60,7 +63,8 @@ class PatchJob {
   double area_ = 0.0;
   Evaluator evaluator_;
   PatchSurface surface_;
-  WallPlan walls_;  // of triangulate()
+  WallPlan walls_;     // of plan(), heights of triangulate()
+  MatchPlan matches_;  // of plan()
   SurfaceMesh mesh_;
   std::unique_ptr<PatchLayers> layers_;
   bool meshed_ = false;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <unordered_set>
 
@@ -12,8 +11,6 @@ namespace advlayers {
 namespace {
 
 using EdgeSet = std::unordered_set<EdgeId>;
-
-constexpr int kUntilClosed = std::numeric_limits<int>::max();
 
 // Every edge that bounds the patch: of all faces, but degenerate and inner ones.
 EdgeSet boundary_edges(Evaluator& evaluator, const Settings& settings,
@@ -31,13 +28,9 @@ EdgeSet boundary_edges(Evaluator& evaluator, const Settings& settings,
   return edges;
 }
 
-EdgePlan wall_by(const Settings& settings) {
-  EdgePlan plan;
-  plan.condition = EdgeCondition::kWall;
-  plan.first_height = settings.first_height;
-  plan.growth = settings.growth;
-  plan.layers = settings.end == EndOfGrowth::kLayers ? settings.layers : kUntilClosed;
-  return plan;
+EdgePlan wall_by(const WallSpec& spec, const Settings& settings) {
+  const WallSpacing spacing = spacing_of(spec, settings);
+  return {EdgeCondition::kWall, spacing.first_height, spacing.growth, spacing.layers, spacing.rule};
 }
 
 bool contains(const std::vector<FaceId>& faces, FaceId face) {
@@ -58,11 +51,7 @@ void apply_spec(const WallSpec& spec, const Settings& settings, const Model& mod
                 const std::vector<FaceId>& faces, WallPlan& walls) {
   for (const EdgeId edge : spec.edges) {
     if (walls.edges.count(edge) == 0 || !concerns(spec, model, faces, edge)) continue;
-    EdgePlan plan = wall_by(settings);
-    if (spec.first_height) plan.first_height = *spec.first_height;
-    if (spec.growth) plan.growth = *spec.growth;
-    if (spec.layers) plan.layers = *spec.layers > 0 ? *spec.layers : kUntilClosed;
-    walls.edges[edge] = plan;
+    walls.edges[edge] = wall_by(spec, settings);
   }
 }
 
@@ -129,7 +118,7 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
   walls.stop_at_isotropy = settings.end == EndOfGrowth::kIsotropic;
   walls.max_height = settings.size;
   for (const EdgeId edge : boundary_edges(evaluator, settings, faces)) {
-    walls.edges[edge] = settings.walls_all ? wall_by(settings) : EdgePlan();
+    walls.edges[edge] = settings.walls_all ? wall_by(WallSpec(), settings) : EdgePlan();
   }
   for (const WallSpec& spec : settings.walls) {
     apply_spec(spec, settings, evaluator.model(), faces, walls);
@@ -146,6 +135,33 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
   if (!settings.walls_all) match_beside_walls(evaluator.model(), walls);
   override_with(settings.off_edges, EdgeCondition::kOff);
   return walls;
+}
+
+void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallPlan& walls) {
+  for (auto& [edge, plan] : walls.edges) {
+    plan.heights.clear();
+    if (plan.condition != EdgeCondition::kWall || !plan.rule.varies()) continue;
+    const EdgeNodes& cut = boundary.edges[edge.index()];
+    std::vector<double> lengths;  // of the mesh edges
+    double total = 0.0;
+    for (std::size_t k = 1; k < cut.nodes.size(); ++k) {
+      lengths.push_back(evaluator.edge_length(edge, cut.params[k - 1], cut.params[k]));
+      total += lengths.back();
+    }
+    const bool closed = cut.nodes.front() == cut.nodes.back();
+    const WallSpacing spacing{plan.first_height, plan.growth, plan.layers, plan.rule};
+    double walked = 0.0;
+    for (std::size_t k = 0; k < cut.nodes.size(); ++k) {
+      const double before = k > 0 ? lengths[k - 1] : closed ? lengths.back() : lengths.front();
+      const double after = k < lengths.size() ? lengths[k] : closed ? lengths.front() : before;
+      WallPlace place;
+      place.part = walked / total;
+      place.segment = 0.5 * (before + after);
+      place.curvature = evaluator.edge_curvature(edge, cut.params[k]);
+      plan.heights[cut.nodes[k]] = first_height_at(spacing, place, walls.max_height);
+      if (k < lengths.size()) walked += lengths[k];
+    }
+  }
 }
 
 std::string patch_name(const std::vector<FaceId>& faces) {

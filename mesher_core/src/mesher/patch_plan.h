@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "boundary/discretization.h"
 #include "geometry/evaluator.h"
 #include "layers/wall_plan.h"
 #include "sizing/settings.h"
@@ -16,6 +17,7 @@ namespace advlayers {
 std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings& settings);
 
 // What grows from each edge that bounds the patch. Throws GeometryError.
+// Where a rule makes first heights vary, resolve_heights() works them out at the boundary's nodes.
 WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
                     const std::vector<FaceId>& faces);
 
@@ -23,6 +25,8 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
 FaceId face_beside(const Model& model, const std::vector<FaceId>& faces, EdgeId edge);
 
 // "Face3", or "Face3 and 4 more" for a patch of several.
+void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallPlan& walls);
+
 std::string patch_name(const std::vector<FaceId>& faces);
 
 }  // namespace advlayers

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "geometry/model.h"
+#include "sizing/wall_spacing.h"
 
 namespace advlayers {
 
@@ -79,6 +80,14 @@ void check_wall(const WallSpec& wall, const Model& model) {
   }
   if (wall.first_height) check_positive("first_height", *wall.first_height, where);
   if (wall.growth) check_growth(*wall.growth, where);
+  if (wall.end_height) check_positive("end_height", *wall.end_height, where);
+  if (wall.thickness) check_positive("thickness", *wall.thickness, where);
+  if (wall.aspect_ratio && !(*wall.aspect_ratio > 0.0 && std::isfinite(*wall.aspect_ratio))) {
+    refuse("aspect_ratio", "> 0", *wall.aspect_ratio, where);
+  }
+  if (wall.turning_angle && !(*wall.turning_angle > 0.0 && *wall.turning_angle <= 90.0)) {
+    refuse("turning_angle", "in (0, 90] degrees", *wall.turning_angle, where);
+  }
   if (wall.layers && *wall.layers < 0) refuse("layers", ">= 0", *wall.layers, where);
 }
 
@@ -111,6 +120,7 @@ void check_conditions(const Settings& settings, const Model& model) {
   static constexpr const char *kWalls = "walls", *kMatch = "match", *kOff = "off";
   for (const WallSpec& wall : settings.walls) {
     check_wall(wall, model);
+    spacing_of(wall, settings);  // refuses what contradicts itself
     for (const EdgeId e : wall.edges) claim(e, kWalls);
   }
   for (const EdgeId e : settings.match_edges) {

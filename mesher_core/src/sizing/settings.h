@@ -20,6 +20,10 @@ struct WallSpec {
   std::vector<FaceId> faces;  // empty: on every side
   std::optional<double> first_height, growth;
   std::optional<int> layers;
+  std::optional<double> end_height{};     // [mm] linear from first_height to this along each edge
+  std::optional<double> aspect_ratio{};   // first height: local segment / aspect_ratio
+  std::optional<double> turning_angle{};  // [deg] first height: turning_angle / curvature
+  std::optional<double> thickness{};      // [mm] of all layers together
 };
 
 struct Settings {

@@ -86,21 +86,6 @@ TEST(Front, TakesTheMeanHeightAndTheFewerLayersBetweenTwoWalls) {
   EXPECT_EQ(front[node_at(front, at(2, 1, 0))].layers_left, 7);
 }
 
-TEST(Front, StopLeavesAChainAndIdleEdges) {
-  const SurfaceMesh mesh = walled_grid(3, 2);
-  Front front(mesh, walls_on({0, 1, 2, 3}));
-  const int i = node_at(front, at(3, 1, 0));
-  const int before = front[i].prev, after = front[i].next;
-  front.stop(i, mesh);
-  EXPECT_EQ(front.active_count(), 9);
-  EXPECT_EQ(front.idle_edges().size(), 2u);
-  EXPECT_EQ(front[before].next, -1);
-  EXPECT_EQ(front[after].prev, -1);
-  EXPECT_EQ(front.ring_size(before), -1);
-  front.stop(i, mesh);  // stopping twice is stopping once
-  EXPECT_EQ(front.idle_edges().size(), 2u);
-}
-
 TEST(Front, BridgeTakesTheRunBetweenOut) {
   const SurfaceMesh mesh = walled_grid(3, 2);
   Front front(mesh, walls_on({0, 1, 2, 3}));

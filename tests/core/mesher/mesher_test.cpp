@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "geometry/shapes.h"
+#include "mesher/mesh_of.h"
 #include "mesher/wall_report.h"
 
 namespace advlayers::test {
@@ -25,13 +26,6 @@ Settings settings_of(double size) {
   settings.first_height = size / 10;
   settings.growth = 1.2;
   return settings;
-}
-
-MeshResult mesh_of(const Model& model, const Settings& settings) {
-  Mesher mesher(model, settings);
-  while (mesher.next()) {
-  }
-  return mesher.result();
 }
 
 TEST(Mesher, IsTheSameForAnyNumberOfThreads) {

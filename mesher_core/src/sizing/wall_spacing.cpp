@@ -1,0 +1,109 @@
+#include "sizing/wall_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "base/error.h"
+#include "geometry/model.h"
+
+namespace advlayers {
+namespace {
+
+constexpr double kMaxGrowth = 10.0;  // as settings.cpp checks it
+constexpr int kMostLayers = 100000;
+
+[[noreturn]] void refuse(const WallSpec& spec, const std::string& why) {
+  throw InvalidInput("walls: " + why + " (" + edge_name(spec.edges.front()) + ")");
+}
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+void check_height_rules(const WallSpec& spec) {
+  const int given = (spec.first_height || spec.end_height ? 1 : 0) + (spec.aspect_ratio ? 1 : 0) +
+                    (spec.turning_angle ? 1 : 0);
+  if (given > 1) {
+    refuse(spec, "first_height, aspect_ratio and turning_angle exclude each other");
+  }
+  if (spec.thickness && (spec.end_height || spec.aspect_ratio || spec.turning_angle)) {
+    refuse(spec, "thickness needs a first height that is the same along the wall");
+  }
+}
+
+int layers_for(const WallSpec& spec, double height, double growth, double thickness) {
+  if (thickness < height * (1.0 - 1e-9)) {
+    refuse(spec, "thickness " + shown(thickness) + " mm is less than the first height " +
+                     shown(height) + " mm");
+  }
+  const double layers = growth - 1.0 < 1e-12
+                            ? thickness / height
+                            : std::log1p(thickness * (growth - 1.0) / height) / std::log(growth);
+  if (!(layers < kMostLayers)) refuse(spec, "thickness would take " + shown(layers) + " layers");
+  return std::max(1, static_cast<int>(std::lround(layers)));
+}
+
+double growth_for(const WallSpec& spec, double height, int layers, double thickness) {
+  if (thickness < height * layers * (1.0 - 1e-9) ||
+      thickness > thickness_of(height, kMaxGrowth, layers)) {
+    refuse(spec, "no growth from 1 to 10 makes " + std::to_string(layers) + " layers from " +
+                     shown(height) + " mm " + shown(thickness) + " mm thick");
+  }
+  double low = 1.0, high = kMaxGrowth;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (thickness_of(height, middle, layers) < thickness ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double thickness_of(double first_height, double growth, int layers) {
+  if (growth - 1.0 < 1e-12) return first_height * layers;
+  return first_height * std::expm1(layers * std::log(growth)) / (growth - 1.0);
+}
+
+WallSpacing spacing_of(const WallSpec& spec, const Settings& settings) {
+  check_height_rules(spec);
+  WallSpacing spacing;
+  spacing.first_height = spec.first_height.value_or(settings.first_height);
+  spacing.growth = spec.growth.value_or(settings.growth);
+  if (spec.layers) {
+    spacing.layers = *spec.layers > 0 ? *spec.layers : kUntilClosed;
+  } else if (settings.end == EndOfGrowth::kLayers) {
+    spacing.layers = settings.layers;
+  }
+  spacing.rule = {spec.end_height, spec.aspect_ratio, spec.turning_angle};
+  if (!spec.thickness) return spacing;
+  if (!spec.layers) {
+    spacing.layers = layers_for(spec, spacing.first_height, spacing.growth, *spec.thickness);
+  } else if (*spec.layers == 0) {
+    refuse(spec, "layers 0 grows until the fronts close, which leaves no choice of thickness");
+  } else if (spec.first_height && spec.growth) {
+    refuse(spec, "first_height, growth, layers and thickness are one too many: leave one out");
+  } else if (spec.first_height) {
+    spacing.growth = growth_for(spec, spacing.first_height, *spec.layers, *spec.thickness);
+  } else {
+    spacing.first_height = *spec.thickness / thickness_of(1.0, spacing.growth, *spec.layers);
+  }
+  return spacing;
+}
+
+double first_height_at(const WallSpacing& spacing, const WallPlace& place, double most) {
+  const HeightRule& rule = spacing.rule;
+  if (rule.end_height) {
+    return spacing.first_height + place.part * (*rule.end_height - spacing.first_height);
+  }
+  if (rule.aspect_ratio) return place.segment / *rule.aspect_ratio;
+  if (rule.turning_angle) {
+    const double angle = *rule.turning_angle * M_PI / 180.0;
+    return place.curvature * most > angle ? angle / place.curvature : most;
+  }
+  return spacing.first_height;
+}
+
+}  // namespace advlayers
