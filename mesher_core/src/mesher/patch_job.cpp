@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
 #include "quality/core_improvement.h"
 #include "quality/core_region.h"
@@ -19,17 +20,6 @@ void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
   for (std::size_t k = 0; k < kCount; ++k) {
     if (counts[k] > 0) total[name(static_cast<Kind>(k))] += counts[k];
   }
-}
-
-// Why a triangle is left: a layer lost an edge of its front there; fronts met and left no vertex
-// that could move; or the core found no partner for it.
-const char* cause_of_triangle(const SurfaceMesh& mesh, FaceH f) {
-  if (!is_core(mesh, f)) return "front-collapse";
-  HalfedgeH h = mesh.halfedge(f);
-  for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-    if (is_free(mesh, mesh.to(h))) return "core";
-  }
-  return "fronts-met";
 }
 
 }  // namespace
@@ -175,7 +165,7 @@ void PatchJob::count_elements(const CancelFlag& cancel) {
   counts_ = FigureCounts();
   inverted_.clear();
   report_.quads = report_.triangles = 0;
-  report_.triangles_by_cause.clear();
+  report_.triangles_by_cause = triangle_causes(mesh_);
   for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
     cancel.check();
     const FaceH f(i);
@@ -187,7 +177,6 @@ void PatchJob::count_elements(const CancelFlag& cancel) {
       inverted_.push_back(f);
     }
     ++(element.count == 4 ? report_.quads : report_.triangles);
-    if (element.count == 3) ++report_.triangles_by_cause[cause_of_triangle(mesh_, f)];
   }
 }
 

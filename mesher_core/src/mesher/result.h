@@ -29,7 +29,7 @@ struct PatchReport {
   std::vector<FaceId> faces;
   int layers = 0, quads = 0, triangles = 0;
   std::map<std::string, int> events;              // collapse, row-end, … -> count
-  std::map<std::string, int> triangles_by_cause;  // front-collapse, fronts-met, core
+  std::map<std::string, int> triangles_by_cause;  // as triangle_causes() has it
   std::map<std::string, int> vetoes;
 };
 
