@@ -4,20 +4,20 @@ from __future__ import annotations
 import importlib.util
 import os
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Sequence, Tuple
 
 from advlayers.errors import InputError
-from advlayers.mesh_groups import face_of_element, layer_of_element, mesh_groups
+from advlayers.mesh_groups import Group, face_of_element, layer_of_element
 from advlayers.unv_file import write_unv
 from advlayers.vtu_file import write_vtu
 
 
 @dataclass
 class Product:
-    """All that a writer may need: the mesh, the named groups, and FreeCAD's document, if any."""
+    """All that a writer may need: the mesh, its groups, and FreeCAD's document, if any."""
 
     mesh: Any
-    named_groups: Mapping[str, Sequence[str]]
+    groups: Sequence[Group]
     document: Any = None  # FreeCAD document with the shape and the mesh object
     fem_mesh: Any = None
 
@@ -30,7 +30,7 @@ class Format:
 
 
 def _write_unv(path: str, product: Product) -> None:
-    write_unv(path, product.mesh, mesh_groups(product.mesh, product.named_groups))
+    write_unv(path, product.mesh, product.groups)
 
 
 def _write_vtu(path: str, product: Product) -> None:

@@ -10,6 +10,7 @@ from advlayers import cad_input, export
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.job import Job, in_freecad
+from advlayers.mesh_groups import mesh_groups
 from advlayers.meshing import Run, core_settings
 from advlayers.report import has_error, info, make_report, shortfalls
 from advlayers.settings_check import check_names
@@ -39,7 +40,7 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
 
     watch("writing", [])
     start = time.perf_counter()
-    product = export.Product(mesh, job.settings["groups"])
+    product = export.Product(mesh, mesh_groups(mesh, job.settings["groups"]))
     try:
         _add_document(job, cad, product)
         seconds["mesh_object"] = time.perf_counter() - start
@@ -83,7 +84,7 @@ def _add_document(job: Job, cad: cad_input.Cad, product: export.Product) -> None
 
     from advlayers import fem_mesh, layer_mesh
 
-    product.fem_mesh = fem_mesh.to_fem_mesh(product.mesh, product.named_groups)
+    product.fem_mesh = fem_mesh.to_fem_mesh(product.mesh, job.settings["groups"])
     if ".fcstd" not in endings:
         return
     product.document = FreeCAD.newDocument("AdvancingLayers", hidden=True)

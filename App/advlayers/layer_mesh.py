@@ -7,6 +7,7 @@ name are part of saved files.
 from __future__ import annotations
 
 import json
+from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional
 
@@ -25,6 +26,10 @@ from advlayers.settings_table import MESH_SETTINGS, Setting
 
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = "Not meshed", "Up to date", "Out of date"
 LOST_REFERENCES = "Lost references"
+
+# What update() calls on the way where it is given no watch: a window shows its progress by it.
+window_watch: ContextVar[Callable[[List[Any]], None]] = ContextVar(
+    "window_watch", default=lambda _reports: None)
 
 # name, type, group, tooltip
 _OTHER_PROPERTIES = (
@@ -55,6 +60,9 @@ _HIDDEN_RESULTS = (
     ("HeightErrors", "App::PropertyFloatList",
      "How far the height of each element of a layer is from the one asked for, relative to it; "
      "NaN for the core."),
+    ("NodeLayers", "App::PropertyFloatList", "The layer that each node was extruded in; else 0."),
+    ("NodeParents", "App::PropertyFloatList",
+     "The node, counted from 0, that each node was extruded from; else -1."),
     ("MeshedSettings", "App::PropertyString", "The settings that the mesh was made with."),
     ("MeshedShape", "App::PropertyFloatList", "Points of the shape that was meshed."),
     ("MeshId", "App::PropertyString", "Tells this mesh from the ones before it."),
@@ -169,8 +177,10 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
     raises stops the run and leaves the old mesh. Raises InputError, or what the core raises."""
     core = load_core()
     task = prepare(document_object)
-    mesh = Run(lambda: task.make_mesher(core)).finish(watch or (lambda _reports: None))
-    set_mesh(document_object, mesh, task.make_fem_mesh(mesh), task.made_from)
+    run = Run(lambda: task.make_mesher(core),
+              on_mesh=lambda mesh, check: (mesh, task.make_fem_mesh(mesh, check)))
+    mesh, fem = run.finish(watch or window_watch.get())
+    set_mesh(document_object, mesh, fem, task.made_from)
 
 
 def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
@@ -190,6 +200,8 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
     document_object.Details = json.dumps(
         make_report(document_object.Part.Label, mesh, origin.settings, [], mesh.seconds))
     document_object.HeightErrors = height_errors(mesh).tolist()
+    document_object.NodeLayers = mesh.node_layer.tolist()
+    document_object.NodeParents = mesh.node_parent.tolist()
     document_object.MeshedSettings = origin.settings_text
     document_object.MeshedShape = origin.points
     refresh_state(document_object)

@@ -33,7 +33,7 @@ def mesh():
 
 
 def write(mesh, path, named=None):
-    product = export.Product(mesh, named or {})
+    product = export.Product(mesh, mesh_groups(mesh, named or {}))
     export.FORMATS[export.format_of(path)].write(path, product)
 
 

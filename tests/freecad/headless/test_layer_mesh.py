@@ -202,6 +202,7 @@ def test_bodies_and_links(box):
 @pytest.mark.parametrize("ending", [".unv", ".med"])
 def test_freecad_reads_what_was_written(box, tmp_path, ending):
     from advlayers import export
+    from advlayers.mesh_groups import mesh_groups
 
     made = advlayers.make_layer_mesh(box, size=5, groups={"in let": ["Face1", "Edge1"]})
     import advlayers_core as core
@@ -210,7 +211,8 @@ def test_freecad_reads_what_was_written(box, tmp_path, ending):
     mesher = core.Mesher(model, core.Settings(size=5.0, first_height=0.5))
     for _ in mesher:
         pass
-    product = export.Product(mesher.result(), {"in let": ["Face1", "Edge1"]},
+    mesh = mesher.result()
+    product = export.Product(mesh, mesh_groups(mesh, {"in let": ["Face1", "Edge1"]}),
                              fem_mesh=made.FemMesh)
     path = str(tmp_path / f"box{ending}")
     export.FORMATS[ending].write(path, product)

@@ -1,0 +1,189 @@
+"""From and to FreeCAD's other meshes: export, triangles, volumes, Gmsh's settings."""
+import advlayers
+import FreeCAD
+import numpy as np
+import ObjectsFem
+import pytest
+from advlayers import (
+    gmsh_takeover, layer_mesh, mesh_feature, object_export, stored_mesh, volume_fill)
+from advlayers.errors import InputError
+
+
+@pytest.fixture
+def box():
+    document = FreeCAD.newDocument("Exchange")
+    made = document.addObject("Part::Box", "Box")
+    made.Length, made.Width, made.Height = 30, 20, 10
+    document.recompute()
+    yield made
+    FreeCAD.closeDocument(document.Name)
+
+
+@pytest.fixture
+def mesh(box):
+    return advlayers.make_layer_mesh(box, size=4, first_height=0.5, layers=3,
+                                     groups={"inlet": ["Face1"]})
+
+
+def test_export_writes_what_a_job_writes(mesh, tmp_path):
+    import advlayers_core as core
+    from advlayers import export, mesh_groups, meshing
+
+    task = layer_mesh.prepare(mesh)
+    fresh = meshing.Run(lambda: task.make_mesher(core)).finish(lambda reports: None)
+    groups = mesh_groups.mesh_groups(fresh, {"inlet": ["Face1"]})
+    for ending in (".vtu", ".unv"):
+        mine, jobs = str(tmp_path / f"mine{ending}"), str(tmp_path / f"job{ending}")
+        object_export.export_mesh(mesh, mine)
+        export.FORMATS[ending].write(jobs, export.Product(fresh, groups))
+        if ending == ".vtu":
+            assert open(mine).read() == open(jobs).read()
+        else:
+            assert sorted(open(mine).read()) == sorted(open(jobs).read())
+
+
+def test_export_of_a_saved_document(mesh, tmp_path):
+    path = str(tmp_path / "saved.FCStd")
+    mesh.Document.saveCopy(path)
+    object_export.export_mesh(mesh, str(tmp_path / "before.vtu"))
+    document = FreeCAD.openDocument(path)
+    try:
+        object_export.export_mesh(document.LayerMesh, str(tmp_path / "after.vtu"))
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    assert (tmp_path / "before.vtu").read_text() == (tmp_path / "after.vtu").read_text()
+
+
+def test_export_says_what_is_wrong(box, mesh, tmp_path):
+    with pytest.raises(InputError, match="unknown format"):
+        object_export.export_mesh(mesh, str(tmp_path / "mesh.doc"))
+    with pytest.raises(InputError, match="cannot be written"):
+        object_export.export_mesh(mesh, str(tmp_path / "nowhere" / "mesh.vtu"))
+    empty = advlayers.make_layer_mesh(box, mesh_now=False)
+    with pytest.raises(InputError, match="no mesh yet"):
+        object_export.export_mesh(empty, str(tmp_path / "mesh.vtu"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_triangles_keep_all_of_each_quad(box, mesh):
+    made = mesh_feature.make_mesh_feature(mesh)
+    assert made.isDerivedFrom("Mesh::Feature")
+    assert made.Mesh.CountFacets == 2 * mesh.QuadCount + mesh.TriangleCount
+    assert made.Mesh.CountPoints == mesh.NodeCount
+    assert made.Mesh.Area == pytest.approx(box.Shape.Area, rel=1e-5)
+    assert made.Mesh.Volume == pytest.approx(box.Shape.Volume, rel=1e-5)
+    assert made.Mesh.isSolid() and not made.Mesh.hasNonManifolds()
+
+
+def volume_of(fem):
+    nodes = {number: np.array(point) for number, point in fem.Nodes.items()}
+    total = 0.0
+    for number in fem.Volumes:
+        a, b, c, d = (nodes[node] for node in fem.getElementNodes(number))
+        total += abs(np.dot(b - a, np.cross(c - a, d - a))) / 6.0
+    return total
+
+
+def needs_gmsh():
+    try:
+        volume_fill.gmsh_command()
+    except InputError:
+        pytest.skip("Gmsh is not installed")
+
+
+def test_a_volume_fills_the_surface(box, mesh):
+    needs_gmsh()
+    made = volume_fill.fill(mesh)
+    fem = made.FemMesh
+    assert fem.TetraCount == fem.VolumeCount > 0
+    assert volume_of(fem) == pytest.approx(box.Shape.Volume)
+    assert fem.TriangleCount == 2 * mesh.QuadCount + mesh.TriangleCount
+    surface = mesh.FemMesh.Nodes
+    assert {number: fem.Nodes[number] for number in surface} == surface
+    names = {fem.getGroupName(i): len(fem.getGroupElements(i)) for i in fem.Groups}
+    assert names["inlet"] == names["Face1"] > 0 and made.Part is box
+
+
+def test_a_volume_with_a_cavity_and_two_solids(box):
+    needs_gmsh()
+    document = box.Document
+    hollow = document.addObject("Part::Cut", "Hollow")
+    ball = document.addObject("Part::Sphere", "Ball")
+    ball.Radius = 3
+    ball.Placement.Base = FreeCAD.Vector(15, 10, 5)
+    hollow.Base, hollow.Tool = box, ball
+    other = document.addObject("Part::Box", "Other")
+    other.Placement.Base = FreeCAD.Vector(100, 0, 0)
+    both = document.addObject("Part::Compound", "Both")
+    both.Links = [hollow, other]
+    document.recompute()
+    mesh = advlayers.make_layer_mesh(both, size=2, first_height=0.5, layers=1)
+    made = volume_fill.fill(mesh)
+    assert volume_of(made.FemMesh) == pytest.approx(both.Shape.Volume, rel=0.01)
+
+
+def test_an_open_surface_is_refused(box):
+    needs_gmsh()
+    mesh = advlayers.make_layer_mesh(box, size=4, faces=["Face1", "Face2"])
+    before = [entry.Name for entry in box.Document.Objects]
+    with pytest.raises(InputError, match="is not closed"):
+        volume_fill.fill(mesh)
+    assert [entry.Name for entry in box.Document.Objects] == before
+
+
+@pytest.fixture
+def gmsh_mesh(box):
+    document = box.Document
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    made = ObjectsFem.makeMeshGmsh(document, "FEMMeshGmsh")
+    setattr(made, "Part" if hasattr(made, "Part") else "Shape", box)
+    made.CharacteristicLengthMax = 3.0
+    analysis.addObject(made)
+    layer = ObjectsFem.makeMeshBoundaryLayer(document, made, "Inflation")
+    layer.NumberOfLayers, layer.MinimumThickness, layer.GrowthRate = 4, 0.2, 1.3
+    layer.References = [(box, ("Edge1", "Edge2"))]
+    region = ObjectsFem.makeMeshRegion(document, made, element_length=0.0, name="Fine")
+    region.CharacteristicLength = 1.0
+    region.References = [(box, ("Face3",))]
+    group = ObjectsFem.makeMeshGroup(document, made, True, "Inlet")
+    group.Label = "in let"
+    group.References = [(box, ("Face2",))]
+    document.recompute()
+    return made
+
+
+def test_settings_of_a_gmsh_mesh(box, gmsh_mesh):
+    made = gmsh_takeover.take_over(gmsh_mesh)
+    assert made.Part is box and made.Size.Value == 3.0
+    (wall,) = made.WallList
+    assert wall.References == [(box, ("Edge1", "Edge2"))] and wall.Label.startswith("Inflation")
+    assert (wall.FirstHeight.Value, wall.Growth, wall.Layers) == (0.2, 1.3, 4)
+    (size,) = made.SizeList
+    assert size.References == [(box, ("Face3",))]
+    assert [group.GroupName for group in made.GroupList] == ["in let"]
+    members = box.Document.Analysis.Group
+    assert made in members and gmsh_mesh not in members
+    assert box.Document.getObject(gmsh_mesh.Name) is gmsh_mesh
+
+
+def test_layers_from_a_face_start_at_its_edges_on_the_faces_beside(box, gmsh_mesh):
+    gmsh_mesh.MeshBoundaryLayerList[0].References = [(box, ("Face1",))]
+    made = gmsh_takeover.take_over(gmsh_mesh)
+    (wall,) = layer_mesh.raw_settings(made)["walls"]
+    assert len(wall["edges"]) == 4 and len(wall["faces"]) == 4 and "Face1" not in wall["faces"]
+    for edge in wall["edges"]:
+        middle = box.Shape.getElement(edge).CenterOfMass
+        assert middle.x == pytest.approx(0.0)
+
+
+def test_only_gmsh_meshes_are_taken_over(mesh):
+    with pytest.raises(InputError, match="no mesh made with Gmsh"):
+        gmsh_takeover.take_over(mesh)
+
+
+def test_the_arrays_of_a_stored_mesh(mesh):
+    stored = stored_mesh.read(mesh)
+    assert len(stored.quads) == mesh.QuadCount and len(stored.nodes) == mesh.NodeCount
+    grown = stored.node_parent >= 0
+    assert np.array_equal(grown, stored.node_layer > 0) and grown.any()
+    assert set(stored.face_of_quad.tolist()) == set(range(1, 7))
