@@ -27,5 +27,12 @@ class AdvancingLayersWorkbench(FreeCADGui.Workbench):
         self.appendToolbar("Advancing Layers", names)
         self.appendMenu("Advancing Layers", names)
 
+    def ContextMenu(self, _recipient):
+        from advlayers_gui import commands
+
+        names = commands.context_commands()
+        if names:
+            self.appendContextMenu("Advancing Layers", names)
+
 
 FreeCADGui.addWorkbench(AdvancingLayersWorkbench())

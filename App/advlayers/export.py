@@ -24,6 +24,7 @@ class Product:
 
 @dataclass(frozen=True)
 class Format:
+    title: str  # in the file dialog
     write: Callable[[str, Product], None]
     keeps: str  # for the reference page
     needs: str = ""  # "FreeCAD", "meshio" or nothing
@@ -62,18 +63,20 @@ def _write_meshio(path: str, product: Product) -> None:
 # Only formats whose quads, triangles and coordinates come back when the file is read again; the
 # tests check each.
 FORMATS: Dict[str, Format] = {
-    ".vtu": Format(_write_vtu, "cell arrays face and layer, node arrays layer and parent; exact"),
-    ".unv": Format(_write_unv, "all groups; exact"),
-    ".fcstd": Format(_write_document, "the shape and the mesh object with all groups and settings",
+    ".vtu": Format("VTK unstructured grid", _write_vtu,
+                   "cell arrays face and layer, node arrays layer and parent; exact"),
+    ".unv": Format("I-DEAS universal", _write_unv, "all groups; exact"),
+    ".fcstd": Format("FreeCAD document", _write_document,
+                     "the shape and the mesh object with all groups and settings",
                      "FreeCAD"),
-    ".med": Format(_write_fem_mesh, "all groups; exact", "FreeCAD"),
-    ".vtk": Format(_write_meshio, "cell arrays face and layer; exact", "meshio"),
-    ".msh": Format(_write_meshio, "nodes and elements (gmsh 4.1); exact", "meshio"),
-    ".inp": Format(_write_meshio, "nodes and elements (Abaqus); exact", "meshio"),
-    ".bdf": Format(_write_meshio, "nodes and elements (Nastran); 12 digits", "meshio"),
-    ".mesh": Format(_write_meshio, "nodes and elements (Medit); exact", "meshio"),
-    ".ply": Format(_write_meshio, "nodes and elements; exact", "meshio"),
-    ".obj": Format(_write_meshio, "nodes and elements; exact", "meshio"),
+    ".med": Format("Salome MED", _write_fem_mesh, "all groups; exact", "FreeCAD"),
+    ".vtk": Format("VTK legacy", _write_meshio, "cell arrays face and layer; exact", "meshio"),
+    ".msh": Format("Gmsh", _write_meshio, "nodes and elements (gmsh 4.1); exact", "meshio"),
+    ".inp": Format("Abaqus", _write_meshio, "nodes and elements (Abaqus); exact", "meshio"),
+    ".bdf": Format("Nastran", _write_meshio, "nodes and elements (Nastran); 12 digits", "meshio"),
+    ".mesh": Format("Medit", _write_meshio, "nodes and elements (Medit); exact", "meshio"),
+    ".ply": Format("Stanford polygons", _write_meshio, "nodes and elements; exact", "meshio"),
+    ".obj": Format("Wavefront", _write_meshio, "nodes and elements; exact", "meshio"),
 }
 
 

@@ -6,7 +6,7 @@ import FreeCADGui
 
 from advlayers.controls import children, is_control
 from advlayers.proxy import Stateless
-from advlayers_gui.commands import icon
+from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView
 
 

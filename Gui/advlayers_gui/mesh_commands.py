@@ -1,0 +1,166 @@
+"""Commands for layer meshes that are there: update, check, export, convert, fill, take over."""
+from __future__ import annotations
+
+import os
+from typing import Any, List
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from advlayers_gui import selected
+from advlayers_gui.command import TITLE, Command, Transaction, do, in_code
+from advlayers_gui.resources import tr
+
+
+class _OnMeshes(Command):
+    """Works on the selected layer meshes, or on all of the document."""
+
+    def IsActive(self) -> bool:
+        return super().IsActive() and bool(selected.all_layer_meshes())
+
+    def run(self) -> None:
+        for mesh in selected.layer_meshes_or_all():
+            self.run_on(mesh)
+
+    def run_on(self, mesh) -> None:
+        raise NotImplementedError
+
+
+class _OnOneMesh(_OnMeshes):
+    """Works on the selected layer mesh, or on the only one of the document."""
+
+    def run(self) -> None:
+        from advlayers.errors import InputError
+
+        meshes = selected.layer_meshes_or_all()
+        if len(meshes) != 1:
+            raise InputError("", tr("Select one layer mesh first."))
+        self.run_on(meshes[0])
+
+
+class Update(_OnMeshes):
+    NAME = "Update"
+    MENU = "Update Mesh"
+    TOOLTIP = "Meshes the selected layer meshes again, or all of the document that are out of date"
+    KEYS = "Y, U"
+
+    def run(self) -> None:
+        chosen = selected.layer_meshes()
+        for mesh in chosen or [entry for entry in selected.all_layer_meshes()
+                               if entry.State != "Up to date"]:
+            self.run_on(mesh)
+
+    def run_on(self, mesh) -> None:
+        from advlayers_gui.progress_window import shown_progress
+
+        with Transaction(mesh.Document, "Update Mesh"), shown_progress(mesh.Label):
+            do("import advlayers")
+            do(f"advlayers.update({in_code(mesh)})")
+            mesh.Document.recompute()
+
+
+class Check(_OnMeshes):
+    NAME = "Check"
+    MENU = "Check Mesh"
+    TOOLTIP = ("Lists what is to be said about the mesh: lost references, diagnostics, worst "
+               "elements")
+    KEYS = "Y, C"
+
+    def run_on(self, mesh) -> None:
+        from advlayers import check
+
+        findings = check.check(mesh)
+        lines = [f"{finding.severity}: {finding.text}{_at(finding.point)}" for finding in findings]
+        FreeCAD.Console.PrintMessage("\n".join([check.summary(mesh)] + lines) + "\n")
+        box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+        box.setWindowTitle(TITLE)
+        grave = any(finding.severity != "info" for finding in findings)
+        box.setIcon(QtGui.QMessageBox.Warning if grave else QtGui.QMessageBox.Information)
+        box.setText(check.summary(mesh))
+        box.setInformativeText("\n".join(lines[:12]) or tr("There is nothing to complain of."))
+        if len(lines) > 12:
+            box.setDetailedText("\n".join(lines))
+        box.exec_() if hasattr(box, "exec_") else box.exec()
+
+
+def _at(point) -> str:
+    return " ({:.6g}, {:.6g}, {:.6g})".format(*point) if point else ""
+
+
+class Export(_OnOneMesh):
+    NAME = "Export"
+    MENU = "Export Mesh…"
+    TOOLTIP = "Writes the mesh to a file with all of its quads, triangles and groups"
+
+    def run_on(self, mesh) -> None:
+        path = self.ask(mesh)
+        if path:
+            do("from advlayers import object_export")
+            do(f"object_export.export_mesh({in_code(mesh)}, {path!r})")
+
+    def ask(self, mesh) -> str:
+        from advlayers.export import FORMATS, format_of
+
+        filters = [f"{entry.title} (*{_shown(ending)})" for ending, entry in FORMATS.items()]
+        start = os.path.join(os.path.dirname(mesh.Document.FileName), mesh.Label)
+        path, chosen = QtGui.QFileDialog.getSaveFileName(
+            FreeCADGui.getMainWindow(), tr("Export Mesh"), start, ";;".join(filters))[:2]
+        if path and format_of(path) not in FORMATS:
+            path += _shown(list(FORMATS)[filters.index(chosen)])
+        return path
+
+
+def _shown(ending: str) -> str:
+    return ".FCStd" if ending == ".fcstd" else ending
+
+
+class ToMesh(_OnMeshes):
+    NAME = "ToMesh"
+    MENU = "Convert to Triangles"
+    TOOLTIP = "Makes a Mesh object of the layer mesh, each quad as two triangles"
+
+    def run_on(self, mesh) -> None:
+        with Transaction(mesh.Document, "Convert to Triangles"):
+            do("from advlayers import mesh_feature")
+            do(f"mesh_feature.make_mesh_feature({in_code(mesh)})")
+
+
+class FillVolume(_OnOneMesh):
+    NAME = "FillVolume"
+    MENU = "Fill with Tetrahedra"
+    TOOLTIP = "Fills the inside of a closed layer mesh with tetrahedra, using Gmsh"
+
+    def run_on(self, mesh) -> None:
+        with Transaction(mesh.Document, "Fill with Tetrahedra"):
+            do("from advlayers import volume_fill")
+            do(f"volume_fill.fill({in_code(mesh)})")
+        mesh.Document.recompute()
+
+
+class TakeOver(Command):
+    NAME = "TakeOver"
+    MENU = "Take over from Gmsh Mesh"
+    TOOLTIP = ("Makes a layer mesh with the sizes, boundary layers, regions and groups of the "
+               "selected Gmsh mesh, and puts it in its place in the analysis")
+
+    def IsActive(self) -> bool:
+        return super().IsActive() and bool(self._gmsh_meshes())
+
+    def run(self) -> None:
+        from advlayers.errors import InputError
+
+        chosen = [entry for entry in FreeCADGui.Selection.getSelection()
+                  if entry in self._gmsh_meshes()] or self._gmsh_meshes()
+        if len(chosen) != 1:
+            raise InputError("", tr("Select one Gmsh mesh first."))
+        with Transaction(chosen[0].Document, "Take over from Gmsh Mesh"):
+            do("from advlayers import gmsh_takeover")
+            do(f"gmsh_takeover.take_over({in_code(chosen[0])})")
+        chosen[0].Document.recompute()
+
+    @staticmethod
+    def _gmsh_meshes() -> List[Any]:
+        from advlayers.gmsh_takeover import is_gmsh_mesh
+
+        return [entry for entry in FreeCAD.ActiveDocument.Objects if is_gmsh_mesh(entry)]

@@ -1,0 +1,55 @@
+"""A small window that shows how a run goes on, and can stop it."""
+from __future__ import annotations
+
+import contextlib
+import time
+from typing import Any, Iterator, List
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from advlayers.errors import Stopped
+from advlayers.layer_mesh import window_watch
+from advlayers_gui.command import TITLE
+from advlayers_gui.resources import tr
+
+_DELAY = 500  # [ms] that a run may take without the window
+
+
+@contextlib.contextmanager
+def shown_progress(label: str) -> Iterator[None]:
+    """While the block runs, layer_mesh.update() shows its progress. Raises Stopped where the user
+    stops it."""
+    window = QtGui.QProgressDialog(FreeCADGui.getMainWindow())
+    window.setWindowTitle(TITLE)
+    window.setLabelText(label)
+    window.setCancelButtonText(tr("Stop"))
+    window.setRange(0, 0)
+    window.setMinimumDuration(_DELAY)
+    window.setWindowModality(QtCore.Qt.ApplicationModal)
+    token = window_watch.set(_Watch(window, label))
+    try:
+        yield
+    finally:
+        window_watch.reset(token)
+        window.close()
+        window.deleteLater()
+
+
+class _Watch:
+    def __init__(self, window, label: str) -> None:
+        self._window, self._label = window, label
+        self._start = time.monotonic()
+        self._layers = self._elements = 0
+
+    def __call__(self, reports: List[Any]) -> None:
+        self._layers = max([self._layers] + [report.layer for report in reports])
+        self._elements += sum(report.quads + report.triangles for report in reports)
+        self._window.setLabelText(tr("{label}: layer {layer}, {elements} elements, {seconds} s")
+                                  .format(label=self._label, layer=self._layers,
+                                          elements=self._elements,
+                                          seconds=f"{time.monotonic() - self._start:.1f}"))
+        self._window.setValue(0)
+        QtCore.QCoreApplication.processEvents()
+        if self._window.wasCanceled():
+            raise Stopped()

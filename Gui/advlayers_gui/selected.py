@@ -1,0 +1,69 @@
+"""What is selected in the window, as the commands need it."""
+from __future__ import annotations
+
+from typing import Any, List, Optional, Tuple
+
+import FreeCAD
+import FreeCADGui
+
+from advlayers import controls, layer_mesh
+
+Pick = Tuple[Any, Tuple[str, ...]]
+
+
+def layer_meshes() -> List[Any]:
+    """The selected layer meshes, also those of selected children."""
+    found: List[Any] = []
+    for entry in FreeCADGui.Selection.getSelection():
+        mesh = controls.mesh_of(entry) if controls.is_control(entry) else entry
+        if mesh is not None and layer_mesh.is_layer_mesh(mesh) and mesh not in found:
+            found.append(mesh)
+    return found
+
+
+def layer_meshes_or_all() -> List[Any]:
+    return layer_meshes() or all_layer_meshes()
+
+
+def all_layer_meshes() -> List[Any]:
+    """Of the active document."""
+    document = FreeCAD.ActiveDocument
+    return [entry for entry in document.Objects if layer_mesh.is_layer_mesh(entry)]
+
+
+def source() -> Optional[Tuple[Any, List[str]]]:
+    """The first selected object that has a shape, and its selected faces."""
+    for entry in FreeCADGui.Selection.getSelectionEx():
+        if _has_shape(entry.Object):
+            return entry.Object, [name for name in entry.SubElementNames
+                                  if name.startswith("Face")]
+    return None
+
+
+def picks() -> List[Pick]:
+    """Selected faces, edges and vertices, by their objects."""
+    return [(entry.Object, tuple(entry.SubElementNames))
+            for entry in FreeCADGui.Selection.getSelectionEx()
+            if entry.SubElementNames and _has_shape(entry.Object)]
+
+
+def mesh_for(picked: List[Pick]) -> Optional[Any]:
+    """The layer mesh that picked faces and edges are meant for: the selected one, or the only one
+    of their object, or the only one."""
+    chosen = layer_meshes()
+    if chosen:
+        return chosen[0]
+    meshes = all_layer_meshes()
+    of_object = [mesh for mesh in meshes if picked and mesh.Part is picked[0][0]]
+    for found in (of_object, meshes):
+        if len(found) == 1:
+            return found[0]
+    return None
+
+
+def _has_shape(document_object) -> bool:
+    import Part
+
+    return not (layer_mesh.is_layer_mesh(document_object)
+                or controls.is_control(document_object)
+                or Part.getShape(document_object).isNull())
