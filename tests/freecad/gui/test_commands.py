@@ -1,0 +1,222 @@
+"""The commands of the workbench, run as a user runs them: select, press, see what came of it."""
+import os
+
+import advlayers
+import FreeCAD
+import FreeCADGui
+import ObjectsFem
+import pytest
+from PySide import QtCore, QtGui
+
+from advlayers import layer_mesh
+from advlayers.export import FORMATS
+from advlayers_gui import commands, mesh_commands
+from window import answer_message, close_panel, events, run, screenshot, select
+
+
+@pytest.fixture
+def box():
+    FreeCADGui.activateWorkbench("AdvancingLayersWorkbench")
+    document = FreeCAD.newDocument("CommandTest")
+    made = document.addObject("Part::Box", "Box")
+    made.Length, made.Width, made.Height = 30, 20, 10
+    document.recompute()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    events()
+    yield made
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.ActiveDocument.resetEdit()
+        FreeCADGui.Control.closeDialog()
+    events()
+    FreeCAD.closeDocument(document.Name)
+
+
+@pytest.fixture
+def mesh(box):
+    made = advlayers.make_layer_mesh(box, size=5, first_height=0.5, layers=2)
+    box.Document.clearUndos()
+    events()
+    return made
+
+
+def test_every_command_is_announced():
+    FreeCADGui.activateWorkbench("AdvancingLayersWorkbench")
+    names = [name for name in commands.register() if name != "Separator"]
+    assert set(names) <= set(FreeCADGui.listCommands())
+    keys = []
+    for kind in filter(None, commands._COMMANDS):
+        announced = kind().GetResources()
+        assert os.path.isfile(announced["Pixmap"]), announced["Pixmap"]
+        assert not QtGui.QIcon(announced["Pixmap"]).pixmap(32, 32).isNull()
+        assert announced["MenuText"] and len(announced["ToolTip"]) > 20
+        keys += [announced["Accel"]] if announced["Accel"] else []
+    assert len(keys) == len(set(keys)) >= 6
+    toolbar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, "Advancing Layers")
+    assert len([action for action in toolbar.actions() if not action.isSeparator()]) == len(names)
+
+
+def test_wall_size_and_group_of_what_is_selected(box, mesh):
+    for name, kept in (("Wall", "WallList"), ("Size", "SizeList"), ("Group", "GroupList")):
+        select((box, "Edge1"), (box, "Face3"))
+        run(name)
+        close_panel()
+        (child,) = getattr(mesh, kept)
+        assert child.References == [(box, ("Edge1", "Face3"))]
+    assert mesh.ViewObject.Proxy.claimChildren() == (
+        mesh.WallList + mesh.SizeList + mesh.GroupList)
+    screenshot("children.png")
+
+
+def test_wall_says_what_is_missing(box, mesh):
+    select()
+    seen = []
+    answer_message(seen)
+    run("Wall")
+    assert len(seen) == 1 and "faces or edges" in seen[0]
+    assert mesh.WallList == []
+
+
+def test_update_and_undo(box, mesh):
+    quads, nodes = mesh.QuadCount, mesh.FemMesh.Nodes
+    box.Length = 60
+    box.Document.recompute()
+    assert mesh.State == layer_mesh.OUT_OF_DATE
+    select((mesh, ""))
+    run("Update")
+    assert mesh.State == layer_mesh.UP_TO_DATE and mesh.QuadCount > quads
+    updated = mesh.FemMesh.Nodes
+    FreeCADGui.runCommand("Std_Undo")
+    events()
+    assert mesh.FemMesh.Nodes == nodes and mesh.QuadCount == quads
+    FreeCADGui.runCommand("Std_Redo")
+    events()
+    assert mesh.FemMesh.Nodes == updated
+
+
+def test_a_stopped_update_leaves_everything(box, mesh, monkeypatch):
+    nodes = mesh.FemMesh.Nodes
+    mesh.Size = 0.2
+    select((mesh, ""))
+
+    def stop():
+        for window in FreeCADGui.getMainWindow().findChildren(QtGui.QProgressDialog):
+            if window.isVisible():
+                window.cancel()
+                return
+        QtCore.QTimer.singleShot(20, stop)
+
+    QtCore.QTimer.singleShot(20, stop)
+    run("Update")
+    assert mesh.FemMesh.Nodes == nodes
+    assert mesh.QuadCount == mesh.FemMesh.QuadrangleCount
+
+
+def test_a_failed_update_tells_why(mesh):
+    mesh.Growth = 0.5
+    select((mesh, ""))
+    seen = []
+    answer_message(seen)
+    run("Update")
+    assert len(seen) == 1 and "growth" in seen[0]
+
+
+def test_check_lists_what_there_is(mesh):
+    seen = []
+    answer_message(seen)
+    select((mesh, ""))
+    run("Check")
+    assert len(seen) == 1 and str(mesh.QuadCount) in seen[0]
+
+
+def test_export_asks_for_a_file(mesh, tmp_path, monkeypatch):
+    path = str(tmp_path / "mesh.vtu")
+    monkeypatch.setattr(QtGui.QFileDialog, "getSaveFileName",
+                        lambda *_arguments: (path, ""))
+    select((mesh, ""))
+    run("Export")
+    assert os.path.getsize(path) > 1000
+    titles = []
+    monkeypatch.setattr(
+        QtGui.QFileDialog, "getSaveFileName",
+        lambda *arguments: titles.extend(arguments[3].split(";;")) or (path[:-4], titles[1]))
+    run("Export")
+    assert len(titles) == len(FORMATS) and os.path.getsize(path[:-4] + ".unv") > 1000
+
+
+def test_triangles(mesh):
+    select((mesh, ""))
+    run("ToMesh")
+    made = mesh.Document.ActiveObject
+    assert made.Mesh.CountFacets == 2 * mesh.QuadCount + mesh.TriangleCount
+    FreeCADGui.runCommand("Std_Undo")
+    assert mesh.Document.getObject("LayerMesh_Triangles") is None
+
+
+def test_a_volume(mesh):
+    from advlayers import volume_fill
+    from advlayers.errors import InputError
+
+    try:
+        volume_fill.gmsh_command()
+    except InputError:
+        seen = []
+        answer_message(seen)
+        run("FillVolume")
+        assert len(seen) == 1 and "Gmsh" in seen[0]
+    else:
+        run("FillVolume")
+        assert mesh.Document.ActiveObject.FemMesh.TetraCount > 0
+
+
+def test_a_gmsh_mesh_is_taken_over(box):
+    document = box.Document
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    gmsh = ObjectsFem.makeMeshGmsh(document, "Gmsh")
+    setattr(gmsh, "Part" if hasattr(gmsh, "Part") else "Shape", box)
+    gmsh.CharacteristicLengthMax = 4
+    analysis.addObject(gmsh)
+    select((gmsh, ""))
+    run("TakeOver")
+    made = document.ActiveObject
+    assert layer_mesh.is_layer_mesh(made) and made.Size.Value == 4
+    assert made in analysis.Group and gmsh not in analysis.Group
+
+
+def test_commands_are_recorded(box, tmp_path):
+    """What the console shows is what a macro holds: run again, it makes the same."""
+    console = FreeCADGui.getMainWindow().findChild(QtGui.QPlainTextEdit, "Python console")
+    if console is None:
+        pytest.skip("this window has no console")
+    console.clear()
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Macro").SetBool("ScriptToPyConsole", True)
+    select((box, ""))
+    run("LayerMesh")
+    close_panel()
+    mesh = box.Document.getObject("LayerMesh")
+    select((box, "Edge1"))
+    run("Wall")
+    close_panel()
+    events(0.3)
+    lines = [line.lstrip("> ") for line in console.toPlainText().splitlines()
+             if "advlayers" in line]
+    assert any("make_layer_mesh" in line for line in lines)
+    assert any("make_wall" in line for line in lines)
+    settings = layer_mesh.settings_of(mesh)
+    for entry in list(box.Document.Objects):
+        if entry is not box:
+            box.Document.removeObject(entry.Name)
+    code = "\n".join(lines).replace("LayerMesh001", "LayerMesh")
+    exec(code, {"FreeCAD": FreeCAD})
+    assert layer_mesh.settings_of(box.Document.getObject("LayerMesh")) == settings
+
+
+def test_the_context_menu(box, mesh):
+    select()
+    assert commands.context_commands() == []
+    select((mesh, ""))
+    assert "AdvLayers_Update" in commands.context_commands()
+
+
+def test_export_filters_name_every_format():
+    endings = {mesh_commands._shown(ending).lower() for ending in FORMATS}
+    assert endings == set(FORMATS)
