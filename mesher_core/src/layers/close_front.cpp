@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "layers/concave_scaling.h"
 #include "layers/front_index.h"
 #include "layers/recover.h"
 
@@ -17,13 +18,15 @@ constexpr double kStripTipAngle =
     80.0 * kDegree;  // at the head of a narrow strip, to begin zipping
 // The end of a gap is zipped, and a gap bridged, where two more rows hardly fit: the paper's 2.4.
 constexpr double kZipHeights = 2.4;
-constexpr double kCrowdedHeights = 2.0;
 constexpr double kLeastEndAngle = 55.0 * kDegree;  // at the two corners of a strip's end
 constexpr double kLargestEndAngle = 125.0 * kDegree;
-constexpr double kLeastRungCosine = 0.8;  // a rung leaves both fronts nearly at right angles
+constexpr double kTipTurn = 60.0 * kDegree;  // of a convex corner that runs ahead of the front
+// Between a rung, or a bridging triangle's side, and the front's edges beside it.
+constexpr double kLeastRungAngle = 45.0 * kDegree;
 constexpr double kLeastQuadAngle = 35.0 * kDegree;
 constexpr double kLargestQuadAngle = 145.0 * kDegree;
 constexpr double kLeastTipAngle = 8.0 * kDegree;
+constexpr double kLeastTriangleAngle = 15.0 * kDegree;  // of one across a gap
 // A region that an event closes holds few core triangles; more means that it is no narrow end.
 constexpr std::size_t kMostFaces = 400;
 
@@ -63,8 +66,14 @@ class Closer {
       for (int i = 0; i < front_.size(); ++i) {
         if (!front_[i].active || front_[i].next < 0 || front_[i].prev < 0) continue;
         FrontIndex::Hit hit;
-        const double reach = kCrowdedHeights * std::min(front_[i].height, state_.max_height);
-        if (!fronts.nearest_ahead(i, node_shape(mesh_, front_, i), reach, hit)) continue;
+        const NodeShape shape = node_shape(mesh_, front_, i);
+        const double height = std::min(front_[i].height, state_.max_height);
+        const double factor = concave_factor(shape, height);
+        // Two rows, ours and the opposing one; a convex corner is joined one row earlier, while
+        // there is room to reach both ends of the edge that it runs into.
+        const double rows = 1.0 + factor + (shape.turn() < -kTipTurn ? 1.0 : 0.0);
+        const double reach = rows * height;
+        if (!fronts.nearest_ahead(i, shape, reach, hit)) continue;
         gaps.push_back({hit.distance, i, hit.from, hit.to});
       }
     }
@@ -73,7 +82,7 @@ class Closer {
     });
     for (const Gap& gap : gaps) {
       state_.cancel->check();
-      if (front_[gap.node].active && place_rung(gap)) close_queued();
+      if (front_[gap.node].active && (place_rung(gap) || place_triangle(gap))) close_queued();
     }
   }
 
@@ -92,30 +101,72 @@ class Closer {
   bool place_rung(const Gap& gap) {
     const int p = gap.node;
     if (front_[p].prev < 0 || front_[p].next < 0) return false;
-    const NodeShape shape = node_shape(mesh_, front_, p);
     int q = -1;
-    double best = kLeastRungCosine;
+    double best = kLeastRungAngle;
     for (const VertexH v : {gap.from, gap.to}) {
       const int k = active_node_at(v);
       if (k < 0 || k == p || k == front_[p].next || k == front_[p].prev) continue;
-      const Vec3 rung = (at(k).xyz - at(p).xyz).normalized();
-      const double straight =
-          std::min(rung.dot(shape.inward), -rung.dot(node_shape(mesh_, front_, k).inward));
-      if (straight > best) {
-        best = straight;
+      const double angle =
+          std::min({angle_at(front_[p].prev, p, k), angle_at(k, p, front_[p].next),
+                    angle_at(front_[k].prev, k, p), angle_at(p, k, front_[k].next)});
+      if (angle > best) {
+        best = angle;
         q = k;
       }
     }
-    if (q < 0 || distance(p, q) > kZipHeights * front_[p].height) return false;
-    const HalfedgeH rung = recover_edge(mesh_, front_[p].vertex, front_[q].vertex, state_.limits,
-                                        state_.report->vetoes);
-    if (!rung.valid() || mesh_.frozen(rung)) return false;
-    mesh_.set_frozen(rung, true);
+    if (q < 0 || distance(p, q) > std::max(kZipHeights * front_[p].height, 1.2 * gap.distance)) {
+      return false;
+    }
+    if (!freeze_between(p, q).valid()) return false;
     front_.split_at_rung(p, q);
     state_.count_event(Event::kRung);
     for (const int k : {p, q, front_[p].next, front_[q].next}) queue_.push_back(k);
     for (const int k : {front_[p].prev, front_[q].prev}) queue_.push_back(k);
     return true;
+  }
+
+  //   -- q2 --- q --      No node faces p: one triangle joins it to the edge, and the front turns
+  //   at
+  //       \    /           both its sides: prev(p), p, q2 and q, p', next(p).
+  //        \  /
+  //   ----- p -----
+  bool place_triangle(const Gap& gap) {
+    const int p = gap.node;
+    if (front_[p].prev < 0 || front_[p].next < 0) return false;
+    const int q = active_node_at(gap.from);
+    if (q < 0 || front_[q].next < 0 || front_[front_[q].next].vertex != gap.to) return false;
+    const int after = front_[q].next;
+    if (front_[after].next < 0) return false;
+    for (const int near : {p, front_[p].prev, front_[p].next}) {
+      if (near == q || near == after) return false;
+    }
+    if (min_angle(at(q), at(after), at(p)) < kLeastTriangleAngle) return false;
+    for (const double angle :
+         {angle_at(front_[p].prev, p, after), angle_at(q, p, front_[p].next),
+          angle_at(front_[q].prev, q, p), angle_at(p, after, front_[after].next)}) {
+      if (angle < kLeastRungAngle) return false;
+    }
+    const HalfedgeH left = freeze_between(p, q);
+    if (!left.valid()) return false;
+    const HalfedgeH right = freeze_between(p, after);
+    if (!right.valid() || !take(front_edge(q), 1)) {
+      mesh_.set_frozen(left, false);
+      if (right.valid()) mesh_.set_frozen(right, false);
+      return false;
+    }
+    front_.split_at_triangle(p, q);
+    state_.count_event(Event::kBridge);
+    for (const int k : {p, q, after, front_[q].next}) queue_.push_back(k);
+    for (const int k : {front_[p].prev, front_[q].prev}) queue_.push_back(k);
+    return true;
+  }
+  // The edge between two nodes, recovered and frozen; invalid where that fails or it was frozen.
+  HalfedgeH freeze_between(int i, int k) {
+    const HalfedgeH h = recover_edge(mesh_, front_[i].vertex, front_[k].vertex, state_.limits,
+                                     state_.report->vetoes);
+    if (!h.valid() || mesh_.frozen(h)) return {};
+    mesh_.set_frozen(h, true);
+    return h;
   }
 
   Corner at(int i) const { return corner(mesh_, front_[i].vertex); }
@@ -166,7 +217,7 @@ class Closer {
 
   // A ring of three or four nodes is one element.
   bool close_small_ring(int i) {
-    const int n = front_.ring_size(i);
+    const int n = front_.ring_size(i, 4);
     if (n != 3 && n != 4) return false;
     const int b = front_[i].next, c = front_[b].next, d = front_[c].next;
     if (n == 4 && !good_quad(i, b, c, d)) return false;
@@ -186,7 +237,7 @@ class Closer {
   bool close_tip(int a) {
     const NodeShape shape = node_shape(mesh_, front_, a);
     const int b = front_[a].prev, c = front_[a].next;
-    if (b == c || front_.ring_size(a) <= 4) return false;
+    if (b == c || front_.ring_size(a, 4) >= 0) return false;
     if (shape.angle > kTipAngle && (shape.angle > kStripTipAngle || !heads_strip(a))) return false;
     const double ratio = shape.length_prev / shape.length_next;
     if (ratio < 0.5 || ratio > 2.0) return false;
@@ -215,14 +266,10 @@ class Closer {
     const int c = front_[b].next;
     if (front_[c].next < 0) return false;
     const int before = front_[b].prev, after = front_[c].next;
-    if (before == after || before == c || front_.ring_size(b) <= 4) return false;
+    if (before == after || before == c || front_.ring_size(b, 4) >= 0) return false;
     const double height = 0.5 * (front_[before].height + front_[after].height);
     if (distance(b, c) > kZipHeights * height) return false;
-    for (const int k : {b, c}) {
-      const double angle = node_shape(mesh_, front_, k).angle;
-      if (angle < kLeastEndAngle || angle > kLargestEndAngle) return false;
-    }
-    if (!good_quad(before, b, c, after)) return false;
+    if (!square_end(b, c) || !good_quad(before, b, c, after)) return false;
     if (!cut_off(before, after, 2)) return false;
     state_.count_event(Event::kZip);
     state_.note_stop(b, Stop::kCollision);
@@ -231,6 +278,14 @@ class Closer {
     again_about(before, after);
     return true;
   }
+  bool square_end(int b, int c) const {
+    for (const int k : {b, c}) {
+      const double angle = node_shape(mesh_, front_, k).angle;
+      if (angle < kLeastEndAngle || angle > kLargestEndAngle) return false;
+    }
+    return true;
+  }
+
   void again_about(int a, int b) {
     for (const int k : {a, b, front_[a].prev, front_[b].next}) {
       if (k >= 0) queue_.push_back(k);

@@ -86,11 +86,21 @@ void Front::split_at_rung(int p, int q) {
   for (const int node : {new_p, new_q}) (*this)[(*this)[node].next].prev = node;
 }
 
-int Front::ring_size(int i) const {
+void Front::split_at_triangle(int p, int q) {
+  const int new_p = size(), after_p = (*this)[p].next, after_q = (*this)[q].next;
+  nodes_.push_back((*this)[p]);
+  for (const auto& [a, b] :
+       {std::pair{p, after_q}, std::pair{q, new_p}, std::pair{new_p, after_p}}) {
+    (*this)[a].next = b;
+    (*this)[b].prev = a;
+  }
+}
+
+int Front::ring_size(int i, int most) const {
   int n = 0;
   int k = i;
   do {
-    ++n;
+    if (++n > most) return -1;
     k = (*this)[k].next;
   } while (k >= 0 && k != i);
   return k < 0 ? -1 : n;

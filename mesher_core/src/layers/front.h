@@ -2,6 +2,7 @@
 // where a neighbour was stopped; each edge prev -> next has the core on its left.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "geometry/patch_surface.h"
@@ -58,10 +59,14 @@ class Front {
   // Joins p's and q's runs by an edge between them that both runs turn back at: the front then runs
   // prev(p), p, q', next(q) and prev(q), q, p', next(p), with p' and q' new.
   void split_at_rung(int p, int q);
+  // A triangle joins p to the edge q -> next(q): the front then runs prev(p), p, next(q) and q, p',
+  // next(p), with p' new.
+  void split_at_triangle(int p, int q);
   // Continues with the next layer's nodes.
   void replace(std::vector<FrontNode> nodes) { nodes_ = std::move(nodes); }
 
-  int ring_size(int i) const;  // nodes in the ring of i; -1 for an open chain
+  // Nodes in the ring of i; -1 for an open chain, and for a ring of more than `most`.
+  int ring_size(int i, int most = std::numeric_limits<int>::max()) const;
 
  private:
   std::vector<FrontNode> nodes_;

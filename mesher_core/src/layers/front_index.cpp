@@ -40,7 +40,8 @@ constexpr double kSameSideCosine = 0.3;  // a thin shell's other side does not c
 struct FrontIndex::Tree {
   struct Edge {
     VertexH from, to;
-    bool advancing, boundary;
+    int node;
+    bool boundary;
   };
   std::vector<Edge> edges;
   bg::index::rtree<std::pair<BoostBox, std::size_t>, bg::index::linear<16>> boxes;
@@ -48,11 +49,12 @@ struct FrontIndex::Tree {
 
 FrontIndex::FrontIndex(const SurfaceMesh& mesh, const Front& front)
     : mesh_(&mesh), front_(&front), tree_(std::make_unique<Tree>()) {
-  for (const FrontNode& node : front.nodes()) {
-    if (node.next >= 0) tree_->edges.push_back({node.vertex, front[node.next].vertex, true, false});
+  for (int i = 0; i < front.size(); ++i) {
+    const int next = front[i].next;
+    if (next >= 0) tree_->edges.push_back({front[i].vertex, front[next].vertex, i, false});
   }
   for (const HalfedgeH h : front.idle_edges()) {
-    tree_->edges.push_back({mesh.from(h), mesh.to(h), false, mesh.is_border(SurfaceMesh::twin(h))});
+    tree_->edges.push_back({mesh.from(h), mesh.to(h), -1, mesh.is_border(SurfaceMesh::twin(h))});
   }
   std::vector<std::pair<BoostBox, std::size_t>> boxes;
   boxes.reserve(tree_->edges.size());
@@ -94,7 +96,7 @@ bool FrontIndex::nearest_ahead(int node, const NodeShape& shape, double reach, H
     if (edge.boundary && runs_along(edge, shape.inward)) return;
     if (distance >= hit.distance || to.dot(shape.inward) < kAheadCosine * distance) return;
     if (mesh_->data(edge.from).normal.dot(shape.normal) < kSameSideCosine) return;
-    hit = {distance, edge.from, edge.to, edge.advancing};
+    hit = {distance, edge.from, edge.to, edge.node};
     found = true;
   };
   const BoostBox window = box_of(p - spread, p + spread);

@@ -15,9 +15,9 @@ class FrontIndex {
   ~FrontIndex();
 
   struct Hit {
-    double distance = 0.0;   // [mm]
-    VertexH from, to;        // the edge's ends
-    bool advancing = false;  // it grows towards us as well
+    double distance = 0.0;  // [mm]
+    VertexH from, to;       // the edge's ends
+    int node = -1;          // the front node that the edge starts from; -1: the edge is idle
   };
   // The nearest edge within `reach` of the node that lies ahead of it: less than 60 degrees off
   // `inward`, on the same side of the surface, and not joined to the node within two edges.

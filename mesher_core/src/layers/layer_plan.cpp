@@ -6,7 +6,7 @@
 
 #include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
-#include "layers/front_index.h"
+#include "layers/opposing_fronts.h"
 #include "sizing/gap_rule.h"
 
 namespace advlayers {
@@ -99,24 +99,28 @@ class Planner {
   // Opposing fronts meet evenly: where two more rows of this height would leave less than one, the
   // height is a third of the gap; where not even two fit, the column stops.
   void cap_by_gaps() {
-    const FrontIndex fronts(mesh_, front_);
+    opposites_ = opposing_fronts(state_, plan_.shapes, heights_);
     std::vector<int> crowded;
     for (int i = 0; i < front_.size(); ++i) {
       if (!advances(i) || is_chain_end(front_[i])) continue;
       const double height = heights_[index(i)];
-      FrontIndex::Hit hit;
-      if (!fronts.nearest_ahead(i, shape(i), 3.0 * height, hit)) continue;
-      heights_[index(i)] = height_in_gap(height, hit.distance);
+      const double rows = 1.0 + concave_factor(shape(i), height);  // ours and the opposing one
+      heights_[index(i)] = height_in_gap(height, opposites_[index(i)].gap, rows);
       if (heights_[index(i)] <= 0.0) crowded.push_back(i);
     }
     // The two corners at a strip's end do not see each other; they share its width likewise.
     for (int i = 0; i < front_.size(); ++i) {
       const int k = front_[i].next;
       if (!advances(i) || k < 0 || !is_strip_end(i, k)) continue;
-      const double third = shape(i).length_next / 3.0;
-      for (const int end : {i, k}) heights_[index(end)] = std::min(heights_[index(end)], third);
+      const double width = shape(i).length_next;
+      for (const int end : {i, k}) {
+        if (width < 2.0 * heights_[index(end)]) crowded.push_back(end);
+        heights_[index(end)] = std::min(heights_[index(end)], width / 3.0);
+      }
     }
-    for (const int i : crowded) end(i, Stop::kCollision);
+    for (const int i : crowded) {
+      if (advances(i)) end(i, Stop::kCollision);
+    }
     drop_lone_nodes(Stop::kCollision);
   }
 
@@ -195,8 +199,10 @@ class Planner {
       return;
     }
     const double height = heights_[index(i)];
-    const double factor = concave_factor(s, height);
-    if (step_kid(i, s.inward, factor * height) < 0) end(i, Stop::kBlocked);
+    const Vec3 along = (s.to_next - s.to_prev).normalized();
+    const Vec3 way =
+        concave_factor(s, height) * height * s.inward + opposites_[index(i)].slide * along;
+    if (step_kid(i, way.normalized(), way.norm()) < 0) end(i, Stop::kBlocked);
   }
 
   // Several kids at a convex corner: the perpendiculars of both edges, and between each two of
@@ -248,8 +254,7 @@ class Planner {
   void try_row_end(int a) {
     if (!ends_row(a)) return;
     const int b = front_[a].prev, c = front_[a].next;
-    const int ring = front_.ring_size(a);
-    if (ring >= 0 && ring <= 6) return;
+    if (front_.ring_size(a, 6) >= 0) return;
     if (try_strip_end(a, c, front_[c].next) || try_strip_end(front_[b].prev, b, a)) return;
     if (!runs_straight(b) || !runs_straight(c)) return;
     share_kid({a}, {b, c}, position(b) + position(c) - position(a));
@@ -527,8 +532,9 @@ class Planner {
   Front& front_;
   LayerPlan plan_;
   std::vector<double> heights_;  // of this extrusion, by node
-  std::vector<int> treads_;      // the low inner kids of coarsened edges
-  std::vector<Cell> tops_;       // the cells over them
+  std::vector<Opposite> opposites_;
+  std::vector<int> treads_;  // the low inner kids of coarsened edges
+  std::vector<Cell> tops_;   // the cells over them
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ const char* stop_name(Stop stop) {
 
 const char* event_name(Event event) {
   static constexpr std::array<const char*, kEventCount> kNames{
-      "collapse", "coarsen", "row-end", "close-triangle", "zip", "rung", "fan"};
+      "collapse", "coarsen", "row-end", "close-triangle", "zip", "rung", "bridge", "fan"};
   return kNames[static_cast<std::size_t>(event)];
 }
 

@@ -44,8 +44,17 @@ inline constexpr int kStopCount = 7;
 const char* stop_name(Stop stop);
 
 // Why the front lost edges; each names the triangles it cost.
-enum class Event : std::uint8_t { kCollapse, kCoarsen, kRowEnd, kCloseTriangle, kZip, kRung, kFan };
-inline constexpr int kEventCount = 7;
+enum class Event : std::uint8_t {
+  kCollapse,
+  kCoarsen,
+  kRowEnd,
+  kCloseTriangle,
+  kZip,
+  kRung,
+  kBridge,
+  kFan
+};
+inline constexpr int kEventCount = 8;
 const char* event_name(Event event);
 
 // The end of one wall vertex's column.

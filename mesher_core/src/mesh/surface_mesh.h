@@ -106,6 +106,14 @@ class SurfaceMesh {
   //  divide(f, v): cuts a quad from v to the opposite corner; returns the new half-edge from v.
   HalfedgeH divide(FaceH quad, VertexH v);
 
+  // replace(old, faces): a disc of faces gets other faces within the same loop of edges, frozen
+  // edges inside it notwithstanding; vertices inside it that no new face uses vanish. The new faces
+  // come in the order given, with data of their own.
+  Veto replace_veto(const std::vector<FaceH>& old,
+                    const std::vector<std::vector<VertexH>>& faces) const;
+  std::vector<FaceH> replace(const std::vector<FaceH>& old,
+                             const std::vector<std::vector<VertexH>>& faces);
+
   void add_observer(MeshObserver* observer);  // not owned
   void remove_observer(MeshObserver* observer);
 

@@ -8,6 +8,7 @@
 #include "quality/matching.h"
 #include "quality/seam_repair.h"
 #include "quality/star_smoothing.h"
+#include "quality/triangle_pairs.h"
 #include "quality/triangle_walk.h"
 
 namespace advlayers {
@@ -83,8 +84,9 @@ void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cance
     smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweeps, cancel);
     smooth_stars(mesh, surface, seam, QuadTarget::kRectangle, kSweeps, cancel);
   }
+  close_triangle_pairs(mesh, cancel);
   recut_pentagons(mesh, cancel);
-  smooth_stars(mesh, surface, seam, QuadTarget::kRectangle, kSeamSweeps, cancel);
+  smooth_stars(mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps, cancel);
 }
 
 }  // namespace advlayers

@@ -5,10 +5,11 @@
 namespace advlayers {
 
 // The height [mm] of the next layer where the next boundary or front lies `gap` ahead: as asked
-// while two more layers leave at least one, then a third of the gap; 0 where two do not fit.
-inline double height_in_gap(double height, double gap) {
-  if (gap >= 3.0 * height) return height;
-  return gap >= 2.0 * height ? gap / 3.0 : 0.0;
+// while `rows` of it, ours and the opposing one, leave at least one more, then an even share of the
+// gap; 0 where those rows do not fit. A corner that runs ahead of its layer counts as more than one.
+inline double height_in_gap(double height, double gap, double rows = 2.0) {
+  if (gap >= (rows + 1.0) * height) return height;
+  return gap >= rows * height ? gap / (rows + 1.0) : 0.0;
 }
 
 }  // namespace advlayers

@@ -165,7 +165,7 @@ TEST(FrontIndex, SeesTheFrontAhead) {
   FrontIndex::Hit hit;
   ASSERT_TRUE(fronts.nearest_ahead(i, node_shape(mesh, front, i), 3.0, hit));
   EXPECT_NEAR(hit.distance, 2.0, 1e-14);
-  EXPECT_TRUE(hit.advancing);
+  EXPECT_GE(hit.node, 0);
   for (const VertexH v : {hit.from, hit.to}) EXPECT_EQ(mesh.position(v).y(), 2.0);
   EXPECT_FALSE(fronts.nearest_ahead(i, node_shape(mesh, front, i), 1.9, hit));
 }
@@ -178,7 +178,7 @@ TEST(FrontIndex, SeesAnIdleEdgeAsStanding) {
   FrontIndex::Hit hit;
   ASSERT_TRUE(fronts.nearest_ahead(i, node_shape(mesh, front, i), 3.0, hit));
   EXPECT_NEAR(hit.distance, 2.0, 1e-14);
-  EXPECT_FALSE(hit.advancing);
+  EXPECT_EQ(hit.node, -1);
 }
 
 TEST(FrontIndex, LooksAheadOnly) {
