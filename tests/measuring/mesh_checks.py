@@ -54,6 +54,22 @@ class Elements:
         return np.array([edge for edge in edges.tolist() if (edge[1], edge[0]) not in there],
                         int).reshape(-1, 2)
 
+    def angles(self) -> np.ndarray:
+        """All interior angles [deg], reflex ones as more than 180; quads' corners first."""
+        p = self.nodes[self.corners]
+        quad, triangle = p[:self.quad_count], p[self.quad_count:, :3]
+        found = []
+        for shapes in (quad, triangle):
+            up = np.cross(shapes[:, 2] - shapes[:, 0], shapes[:, -1] - shapes[:, 1])
+            for k in range(shapes.shape[1]):
+                ahead = np.roll(shapes, -1, axis=1)[:, k] - shapes[:, k]
+                back = shapes[:, k - 1] - shapes[:, k]
+                turn = np.cross(ahead, back)
+                angle = np.degrees(np.arctan2(np.linalg.norm(turn, axis=1),
+                                              (ahead * back).sum(axis=1)))
+                found.append(np.where((turn * up).sum(axis=1) < 0.0, 360.0 - angle, angle))
+        return np.concatenate(found)
+
     def euler(self) -> int:
         edges, _ = self.directed_edges()
         count = len(np.unique(np.sort(edges, axis=1), axis=0))
