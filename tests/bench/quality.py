@@ -112,7 +112,8 @@ def print_peer(way: str, got: Dict[str, Any], area: float) -> None:
     least, mean, most = got["first_row"]
     print(f"{name:32s} {got['elements']:8d} {got['quads']:7.2f} {'':13s} {got['angles']:6.2f} "
           f"{got['below_20']:6.3f} {'':22s} | first row {least:.2f} .. {mean:.2f} .. "
-          f"{most:.2f} h0, area off by {100.0 * (got['area'] / area - 1.0):.2f} %, {got['turned']} reflex",
+          f"{most:.2f} h0, area off by {100.0 * (got['area'] / area - 1.0):.2f} %, "
+          f"{got['turned']} reflex",
           flush=True)
 
 
