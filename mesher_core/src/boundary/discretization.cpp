@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "boundary/edge_creases.h"
 #include "boundary/edge_spacing.h"
 
 namespace advlayers {
@@ -17,6 +18,7 @@ constexpr double kMaxJump = 1.5;
 constexpr double kJump = 1.25;
 // An even edge takes the fewest segments that are no longer than this many times the size.
 constexpr double kSizeTolerance = 1.1;
+constexpr double kSharpFold = 0.01;  // of the size: a fold narrower than this is not followed
 constexpr int kMaxRounds = 200;
 // Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
 constexpr double kNormalAngle = M_PI / 6.0;
@@ -79,6 +81,12 @@ class Discretizer {
       // A kink turns no matter how short the segments: it takes a node.
       const double sharp = 0.5 * limits_.curve_angle;
       for (const double t : evaluator_.edge_kinks(EdgeId(i), sharp)) ends.push_back(t);
+      // So does a fold of a face beside the edge.
+      const double least = kSharpFold * std::min(limits_.size, edge.length);
+      for (const double t : edge_creases(evaluator_, EdgeId(i), sides_[i], least)) {
+        ends.push_back(t);
+      }
+      std::sort(ends.begin() + 1, ends.end());
       ends.push_back(edge.last);
       const int first = edge.start.valid() ? edge.start.value : joint_count_++;
       const int last = edge.end.valid() ? edge.end.value : closed_at(edge, first);

@@ -1,6 +1,9 @@
 #include "quality/inversion.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <vector>
 
 #include "quality/element_measures.h"
 #include "quality/pentagon.h"
@@ -12,6 +15,8 @@ constexpr int kPasses = 4;
 // The corners' normals decide where all agree with the element by this cosine; the projection of
 // the centroid is spared then.
 constexpr double kClearlyUpright = 0.3;
+// How far a vertex is moved towards a neighbour or their mean.
+constexpr std::array<double, 5> kShares{0.05, 0.15, 0.3, 0.5, 0.75};
 
 struct FaceCorners {
   std::array<VertexH, 4> vertex;
@@ -53,13 +58,18 @@ bool is_turned_over(const SurfaceMesh& mesh, const Corners& corners, PatchSurfac
     center += mesh.position(v) / static_cast<double>(corners.size());
   }
   if (upright) return false;
+  // Two sheets of the surface may lie close together: the nearest foot counts.
+  double nearest = std::numeric_limits<double>::infinity();
+  double side = 0.0;
   for (const VertexH v : corners) {
     SurfacePoint foot;
-    if (surface.project(center, mesh.data(v).point, foot)) {
-      return surface.normal(foot).dot(area) < 0.0;
-    }
+    if (!surface.project(center, mesh.data(v).point, foot)) continue;
+    const double distance = (foot.xyz - center).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    side = surface.normal(foot).dot(area);
   }
-  return false;
+  return side < 0.0;
 }
 
 // True where a corner of a quad turns back, against the surface at its corners or against the
@@ -97,9 +107,15 @@ class Mender {
   }
   int count(FaceH face) { return count(corners_around(mesh_, face)); }
 
+  int count_about(VertexH v);
+  int count_after_collapse(HalfedgeH h);
+
   bool divide_quad(FaceH face);
   bool flip_side(HalfedgeH h);
   bool recut_beside(HalfedgeH h);
+  bool mend_by_edges(FaceH face);
+  bool relocate(VertexH v);
+  bool collapse(HalfedgeH h);
 
   SurfaceMesh& mesh_;
   PatchSurface& surface_;
@@ -151,7 +167,92 @@ bool Mender::recut_beside(HalfedgeH h) {
   return false;
 }
 
+int Mender::count_about(VertexH v) {
+  int faulty = 0;
+  const HalfedgeH first = mesh_.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    if (!mesh_.is_border(h)) faulty += count(mesh_.face(h));
+    h = mesh_.rotate_cw(h);
+  } while (h != first);
+  return faulty;
+}
+
+// Moves a vertex inside the patch to the nearest of some places about it that leave fewest faulty.
+bool Mender::relocate(VertexH v) {
+  const VertexData before = mesh_.data(v);
+  if (before.support != Support::kPatch || mesh_.is_border(v)) return false;
+  std::vector<Vec3> beside;
+  const HalfedgeH first = mesh_.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    beside.push_back(mesh_.position(mesh_.to(h)));
+    h = mesh_.rotate_cw(h);
+  } while (h != first);
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& xyz : beside) mean += xyz / static_cast<double>(beside.size());
+  beside.push_back(mean);
+
+  int fewest = count_about(v);
+  VertexData best = before;
+  for (const double share : kShares) {
+    for (const Vec3& goal : beside) {
+      VertexData& data = mesh_.data(v);
+      const Vec3 target = before.point.xyz + share * (goal - before.point.xyz);
+      SurfacePoint foot;
+      if (!surface_.project(target, before.point, foot)) continue;
+      data.point = foot;
+      data.normal = surface_.normal(foot);
+      const int faulty = count_about(v);
+      if (faulty >= fewest) continue;
+      fewest = faulty;
+      best = data;
+    }
+  }
+  mesh_.data(v) = best;
+  return best.point.xyz != before.point.xyz;
+}
+
+int Mender::count_after_collapse(HalfedgeH h) {
+  const VertexH v = mesh_.from(h), onto = mesh_.to(h);
+  int faulty = 0;
+  for (HalfedgeH o = mesh_.rotate_cw(h); o != h; o = mesh_.rotate_cw(o)) {
+    FaceCorners corners = corners_around(mesh_, mesh_.face(o));
+    if (std::find(corners.begin(), corners.end(), onto) != corners.end()) continue;
+    std::replace(corners.vertex.begin(), corners.vertex.end(), v, onto);
+    faulty += count(corners);
+  }
+  return faulty;
+}
+
+// Lets a vertex of the core vanish in its neighbour.
+bool Mender::collapse(HalfedgeH h) {
+  const VertexH v = mesh_.from(h);
+  const VertexData& data = mesh_.data(v);
+  if (data.support != Support::kPatch || data.layer != 0 || mesh_.is_border(v)) return false;
+  const HalfedgeH t = SurfaceMesh::twin(h);
+  if (!mesh_.is_triangle(h) || !mesh_.is_triangle(t)) return false;
+  if (mesh_.collapse_veto(h) != Veto::kNone) return false;
+  if (count_after_collapse(h) >= count_about(v)) return false;
+  mesh_.collapse(h);
+  return true;
+}
+
 bool Mender::mend(FaceH face) {
+  if (mend_by_edges(face)) return true;
+  for (const VertexH v : corners_around(mesh_, face)) {
+    if (relocate(v)) return true;
+  }
+  const HalfedgeH first = mesh_.halfedge(face);
+  HalfedgeH h = first;
+  do {
+    if (collapse(h) || collapse(SurfaceMesh::twin(h))) return true;
+    h = mesh_.next(h);
+  } while (h != first);
+  return false;
+}
+
+bool Mender::mend_by_edges(FaceH face) {
   const HalfedgeH first = mesh_.halfedge(face);
   if (!mesh_.is_triangle(first) && divide_quad(face)) return true;
   HalfedgeH h = first;

@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "base/predicates.h"
+#include "triangulate/crease_splits.h"
 
 namespace advlayers {
 namespace {
@@ -29,6 +30,7 @@ constexpr double kDeviation = 25 * kDegree;
 // Shorter edges, as a share of the local size, are left to what follows.
 constexpr double kShortestWide = 0.5;
 constexpr double kSmallestSplit = 0.05;  // share of the local size that refinement stops at
+constexpr double kLeastSplit = 0.5;      // and share of the least size
 // Distance of an edge's middle from an apex, as a share of half the edge.
 constexpr double kApexShare = 0.3;
 // Share of a triangle's longest edge.
@@ -305,7 +307,7 @@ double worst_deviation_cosine(LiftedTriangulation& sheet, int t) {
   if (area == 0) return 1;
   double worst = 1;
   for (const LiftedVertex* corner : {&a, &b, &c}) {
-    if (!corner->pole) worst = std::min(worst, cross.dot(corner->normal) / area);
+    if (!corner->pole && !corner->crease) worst = std::min(worst, cross.dot(corner->normal) / area);
   }
   const Vec2 center =
       (sheet.mesh().point(v[0]) + sheet.mesh().point(v[1]) + sheet.mesh().point(v[2])) / 3;
@@ -324,8 +326,11 @@ Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
   double best_turn = std::cos(5 * kDegree);
   for (int i = 0; i < 3; ++i) {
     const Side s{t, i};
+    if (sheet.vertex(sheet.mesh().from(s)).crease || sheet.vertex(sheet.mesh().to(s)).crease)
+      continue;
     if (sheet.mesh().segment(s) >= 0 || length2[i] < kLongEnough * kLongEnough * longest2) continue;
-    const double limit = 2 * kSmallestSplit * local_size(sheet, s);
+    const double limit =
+        std::max(2 * kSmallestSplit * local_size(sheet, s), kLeastSplit * sheet.least_size());
     const double turn =
         sheet.vertex(sheet.mesh().from(s)).normal.dot(sheet.vertex(sheet.mesh().to(s)).normal);
     if (turn >= best_turn || length2[i] < limit * limit) continue;
@@ -359,6 +364,7 @@ void fill_sheet(LiftedTriangulation& sheet, const CancelFlag& cancel) {
   sheet.flip_all();
   split_wide_edges(sheet, cancel);
   FrontalInsertion(sheet, cancel).run();
+  split_creases(sheet, cancel);
   sheet.straighten_poles();
   refine_deviating(sheet, cancel);
   sheet.straighten_poles();

@@ -239,6 +239,7 @@ class Gluer {
             VertexData data;
             data.point = lifted.point;
             data.normal = lifted.normal;
+            if (lifted.crease) data.support = Support::kEdge;
             vertex_of_root_[r] = glued.mesh.add_vertex(data);
             glued.sizes.push_back(lifted.size);
           }

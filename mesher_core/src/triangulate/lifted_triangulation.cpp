@@ -240,7 +240,8 @@ bool LiftedTriangulation::vanishes(int t) const {
 double LiftedTriangulation::score(int a, int b, int c) const {
   const auto corner_of = [this](int v) {
     const LiftedVertex& lifted = vertex(v);
-    return Corner{lifted.point.xyz, lifted.pole ? Vec3(Vec3::Zero()) : lifted.normal};
+    return Corner{lifted.point.xyz,
+                  lifted.pole || lifted.crease ? Vec3(Vec3::Zero()) : lifted.normal};
   };
   return triangle_score(corner_of(a), corner_of(b), corner_of(c));
 }

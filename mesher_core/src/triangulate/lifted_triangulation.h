@@ -42,6 +42,7 @@ struct LiftedVertex {
   double least = 0;  // what a long border nearby makes of it, however curved the surface [mm]
   NodeId node;       // on the face's boundary
   bool pole = false;
+  bool crease = false;  // on a fold too sharp to be followed: its normal says nothing
 };
 
 class LiftedTriangulation {
@@ -65,6 +66,8 @@ class LiftedTriangulation {
   double sagitta(int segment) const { return sagittas_[static_cast<std::size_t>(segment)]; }
 
   LiftedVertex evaluate(const Vec2& p);
+  double least_size() const { return target_.least(sheet_.face); }  // ever wanted [mm]
+  void mark_crease(int v) { vertices_[static_cast<std::size_t>(v)].crease = true; }
 
   // Inserts a point inside triangle t, or on side s, and flips edges until the triangulation is
   // Delaunay in the surface's metric about it. Returns the vertex, or -1, and changes nothing,

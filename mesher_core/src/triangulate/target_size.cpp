@@ -19,8 +19,10 @@ double TargetSize::at(const SurfacePoint& p) {
   if (evaluator_->model().face(p.face).kind == SurfaceKind::kPlane) return size_;
   const double curvature = evaluator_->max_curvature(p.face, p.u, p.v);
   if (!(curvature * size_ > chord_of_unit_radius_)) return size_;  // also where it is not a number
-  return std::max(chord_of_unit_radius_ / curvature, kSmallestShare * extent(p.face));
+  return std::max(chord_of_unit_radius_ / curvature, least(p.face));
 }
+
+double TargetSize::least(FaceId face) const { return kSmallestShare * extent(face); }
 
 double TargetSize::extent(FaceId face) const {
   return std::min(size_, std::sqrt(evaluator_->model().face(face).area));

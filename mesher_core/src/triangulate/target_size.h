@@ -18,6 +18,9 @@ class TargetSize {
   // refinement.
   double at(const SurfacePoint& p);
 
+  // What at() never goes below on the face [mm].
+  double least(FaceId face) const;
+
   // The size, or the square root of the face's area if that is less [mm].
   double extent(FaceId face) const;
 
