@@ -14,7 +14,7 @@ constexpr double kDegree = M_PI / 180;
 constexpr double kLeastTurn = 60 * kDegree;  // of the normal along an edge over a fold
 // The fold takes this part of the turn, and does so within this part of the least length asked for.
 constexpr double kMostOfTurn = 0.6;
-constexpr double kSharp = 0.5;
+constexpr double kSharp = 0.25;
 constexpr double kNearEnd = 0.12;    // of the edge; an end so near is taken for a point of the fold
 constexpr double kNearBorder = 0.8;  // of the least length
 constexpr int kBisections = 30;

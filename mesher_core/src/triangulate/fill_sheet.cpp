@@ -30,7 +30,7 @@ constexpr double kDeviation = 25 * kDegree;
 // Shorter edges, as a share of the local size, are left to what follows.
 constexpr double kShortestWide = 0.5;
 constexpr double kSmallestSplit = 0.05;  // share of the local size that refinement stops at
-constexpr double kLeastSplit = 0.5;      // and share of the least size
+constexpr double kLeastSplit = 0.1;      // and share of the least size
 // Distance of an edge's middle from an apex, as a share of half the edge.
 constexpr double kApexShare = 0.3;
 // Share of a triangle's longest edge.
