@@ -11,7 +11,7 @@
 namespace advlayers {
 namespace {
 
-constexpr int kPasses = 4;
+constexpr int kPasses = 6;
 // The corners' normals decide where all agree with the element by this cosine; the projection of
 // the centroid is spared then.
 constexpr double kClearlyUpright = 0.3;
@@ -110,7 +110,7 @@ class Mender {
   int count_about(VertexH v);
   int count_after_collapse(HalfedgeH h);
 
-  bool divide_quad(FaceH face);
+  bool divide_quad(FaceH face, int most_faulty);
   bool flip_side(HalfedgeH h);
   bool recut_beside(HalfedgeH h);
   bool mend_by_edges(FaceH face);
@@ -123,11 +123,11 @@ class Mender {
 
 using Triangle = std::array<VertexH, 3>;
 
-bool Mender::divide_quad(FaceH face) {
+bool Mender::divide_quad(FaceH face, int most_faulty) {
   const auto v = corners_around(mesh_, face);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const VertexH a = v[k], b = v[k + 1], c = v[(k + 2) % 4], d = v[(k + 3) % 4];
-    if (count(Triangle{a, b, c}) + count(Triangle{a, c, d}) > 0) continue;
+    if (count(Triangle{a, b, c}) + count(Triangle{a, c, d}) > most_faulty) continue;
     if (mesh_.find_halfedge(a, c).valid()) continue;
     mesh_.divide(face, a);
     return true;
@@ -249,12 +249,13 @@ bool Mender::mend(FaceH face) {
     if (collapse(h) || collapse(SurfaceMesh::twin(h))) return true;
     h = mesh_.next(h);
   } while (h != first);
-  return false;
+  // No better, but the next pass has more to choose from.
+  return !mesh_.is_triangle(first) && divide_quad(face, 1);
 }
 
 bool Mender::mend_by_edges(FaceH face) {
   const HalfedgeH first = mesh_.halfedge(face);
-  if (!mesh_.is_triangle(first) && divide_quad(face)) return true;
+  if (!mesh_.is_triangle(first) && divide_quad(face, 0)) return true;
   HalfedgeH h = first;
   do {
     const HalfedgeH t = SurfaceMesh::twin(h);
