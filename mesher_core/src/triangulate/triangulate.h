@@ -17,8 +17,8 @@ struct Triangulation {
   // All triangles, layer 0. Every border edge is frozen and names its CAD edge. A boundary node
   // where the border touches itself becomes one vertex per touching run, with the same NodeId.
   // Seams and smooth edges between the patch's faces leave no trace. A tip that is sharp (a cone's
-  // apex) is a fixed vertex inside the patch, with Support::kVertex; so are points on a fold that is
-  // too sharp to be followed, with Support::kEdge and no node.
+  // apex) is a fixed vertex inside the patch, with Support::kVertex; so are points on a fold that
+  // is too sharp to be followed, with Support::kEdge and no node.
   SurfaceMesh mesh;
   std::vector<Diagnostic> diagnostics;
 };
