@@ -13,6 +13,8 @@ from advlayers_gui.field_modes import FieldView
 class LayerMeshView(Stateless, FieldView):
     """View provider of a layer mesh."""
 
+    _object = None
+
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
 
@@ -52,6 +54,8 @@ class LayerMeshView(Stateless, FieldView):
 class ControlView(Stateless):
     """View provider of a wall, a size or a group."""
 
+    _object = None
+
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
 
@@ -73,3 +77,6 @@ def attach_to(document_object) -> None:
         LayerMeshView(view_object)
         # The mesh's own edges show what was made; the shape below would hide half of it.
         view_object.ShapeColor = (0.80, 0.87, 0.95)
+    # FreeCAD attaches the first provider of an object, and no later one.
+    if view_object.Proxy._object is None:
+        view_object.Proxy.attach(view_object)
