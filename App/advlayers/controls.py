@@ -14,13 +14,12 @@ from advlayers.errors import InputError
 from advlayers.face_edges import FaceEdges
 from advlayers.picked_names import link_value, names_on
 from advlayers.properties import (
-    HIDDEN, add_setting, from_property, plain_values, property_name, to_property)
+    HIDDEN, add_setting, from_property, plain_values, property_name, to_property, unset_value)
 from advlayers.proxy import Stateless, attach_view
 from advlayers.references import Picker, Problem, remembered
 from advlayers.references import problems as reference_problems
 from advlayers.settings_check import check_all
-from advlayers.settings_table import (
-    SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, unset_value)
+from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS, Setting
 
 CONDITIONS = ("Wall", "Match", "Off")
 _REFERENCES = "References"
@@ -54,7 +53,7 @@ class Control(Stateless):
         document_object.setEditorMode(_PICKED, HIDDEN)
         for entry in value_settings(self.TABLE):
             name = property_name(entry)
-            add_setting(document_object, entry, type(self).__name__, optional_doc(entry))
+            add_setting(document_object, entry, type(self).__name__, _tooltip(entry))
             if name not in present:
                 setattr(document_object, name, unset_value(entry))
 
@@ -206,6 +205,11 @@ def _condition(value: str) -> str:
 def _sort(name: str) -> str:
     """"Face", "Edge" or "Vertex", also of a name that the model has lost ("?Face1")."""
     return name.lstrip("?").rstrip("0123456789")
+
+
+def _tooltip(entry: Setting) -> str:
+    unset = unset_value(entry)
+    return f"{entry.doc} {'Empty' if unset == '' else unset}: not given."
 
 
 def remember(control, anew: bool = False) -> None:

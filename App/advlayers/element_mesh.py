@@ -2,12 +2,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
-from typing import Any, Tuple
+from dataclasses import dataclass, field
+from typing import Any, Dict, Tuple
 
 import numpy as np
 
-_LAYER_GROUP = re.compile(r"Layer([0-9]+)")
+_GROUP = re.compile(r"(Layer|Face|Edge)([0-9]+)")
 
 
 @dataclass(frozen=True)
@@ -18,6 +18,8 @@ class ElementMesh:
     quads: Any  # (q, 4) indices into nodes
     triangles: Any  # (t, 3)
     layers: Any  # (q + t,) 0: core
+    faces: Any  # (q + t,) number of the CAD face, from 1
+    edge_nodes: Dict[int, Any] = field(default_factory=dict)  # number of the CAD edge -> nodes
 
     @property
     def count(self) -> int:
@@ -31,12 +33,14 @@ class ElementMesh:
 
 def of_core(mesh) -> ElementMesh:
     """Of a finished mesh or a snapshot of the core."""
-    layers = np.concatenate([mesh.layer_of_quad, mesh.layer_of_triangle])
-    return ElementMesh(mesh.nodes, mesh.quads, mesh.triangles, layers)
+    return ElementMesh(mesh.nodes, mesh.quads, mesh.triangles,
+                       np.concatenate([mesh.layer_of_quad, mesh.layer_of_triangle]),
+                       np.concatenate([mesh.face_of_quad, mesh.face_of_triangle]),
+                       mesh.edge_segments)
 
 
 def of_fem(fem) -> ElementMesh:
-    """Of a Fem.FemMesh that this add-on made; its layers are told by its groups."""
+    """Of a Fem.FemMesh that this add-on made; its groups tell layers, faces and edges."""
     nodes = fem.Nodes
     ids = np.fromiter(nodes.keys(), np.int64, len(nodes))
     points = np.array([tuple(point) for point in nodes.values()]).reshape(-1, 3)
@@ -45,13 +49,21 @@ def of_fem(fem) -> ElementMesh:
     cells = [fem.getElementNodes(number) for number in fem.Faces]
     quads = [cell for cell in cells if len(cell) == 4]
     triangles = [cell for cell in cells if len(cell) == 3]
-    layers = np.zeros(len(cells), np.int32)
+    numbers = {"Layer": np.zeros(len(cells), np.int32), "Face": np.zeros(len(cells), np.int32)}
+    edge_nodes = {}
     for group in fem.Groups:
-        match = _LAYER_GROUP.fullmatch(fem.getGroupName(group))
-        if match and fem.getGroupElementType(group) == "Face":
-            layers[np.array(fem.getGroupElements(group), np.int64) - 1] = int(match.group(1))
+        match = _GROUP.fullmatch(fem.getGroupName(group))
+        if match is None:
+            continue
+        kind, number = match.group(1), int(match.group(2))
+        members = np.array(fem.getGroupElements(group), np.int64)
+        if kind == "Edge":
+            edge_nodes[number] = index[members]
+        else:
+            numbers[kind][members - 1] = number
     return ElementMesh(points, index[np.array(quads, np.int64).reshape(-1, 4)],
-                       index[np.array(triangles, np.int64).reshape(-1, 3)], layers)
+                       index[np.array(triangles, np.int64).reshape(-1, 3)],
+                       numbers["Layer"], numbers["Face"], edge_nodes)
 
 
 def angles(mesh: ElementMesh) -> Tuple[Any, Any]:

@@ -18,7 +18,7 @@ class FaceEdges:
             number = name[len("Face"):]
             if number.isdigit() and int(number) <= len(self._shape.Faces):
                 face = self._shape.Faces[int(number) - 1]
-                found.update(self._number(edge) for edge in face.Edges
+                found.update(self.number(edge) for edge in face.Edges
                              if not edge.Degenerated and not edge.isSeam(face))
         return [f"Edge{number}" for number in sorted(found)]
 
@@ -28,6 +28,6 @@ class FaceEdges:
         return [f"Face{number}" for number, face in enumerate(self._shape.Faces, 1)
                 if any(edge.isSame(other) for other in face.Edges)]
 
-    def _number(self, edge) -> int:
+    def number(self, edge) -> int:
         return next(number for other, number in self._numbers[edge.hashCode()]
                     if other.isSame(edge))

@@ -52,6 +52,7 @@ class Run:
         self._reports: "queue.Queue[Any]" = queue.Queue()
         self._thread = threading.Thread(target=self._pull, name="advlayers", daemon=True)
         self._cancelled = threading.Event()
+        self._grown = threading.Event()
         self._outcome: Any = None
         self._error: Optional[BaseException] = None
 
@@ -61,6 +62,11 @@ class Run:
     @property
     def running(self) -> bool:
         return self._thread.is_alive()
+
+    @property
+    def grown(self) -> bool:
+        """Whether the layers have ended, and the core is being finished."""
+        return self._grown.is_set()
 
     def cancel(self) -> None:
         """Stops the work soon; returns at once."""
@@ -113,6 +119,7 @@ class Run:
                 if self._on_layer:
                     self._on_layer(self._mesher, report)
                 self._check()
+            self._grown.set()
             mesh = self._mesher.result()
             self._outcome = self._on_mesh(mesh, self._check) if self._on_mesh else mesh
         except BaseException as error:  # handed to the calling thread, whatever it is
