@@ -17,7 +17,6 @@ _RISE = ((0.89, 0.93, 0.97), (0.62, 0.76, 0.87), (0.99, 0.82, 0.48), (0.93, 0.50
 _SIGNED = ((0.13, 0.40, 0.67), (0.57, 0.77, 0.87), (0.93, 0.95, 0.93), (0.94, 0.60, 0.42),
            (0.70, 0.09, 0.17))
 CORE_COLOUR = (0.86, 0.87, 0.89)
-MARK_COLOUR = (0.85, 0.10, 0.15)
 
 
 @dataclass(frozen=True)
@@ -29,6 +28,7 @@ class Scale:
     high: float
     stops: Tuple[Tuple[float, float, float], ...]
     logarithmic: bool = False
+    whole: bool = False  # the values are whole numbers
 
     def rgb(self, values):
         """(n, 3) from 0 to 1"""
@@ -44,10 +44,11 @@ class Scale:
         return np.stack([np.interp(share, ends, channel) for channel in zip(*self.stops)],
                         axis=-1)
 
-    def value_at(self, share: float) -> float:
+    def label_at(self, share: float) -> str:
         if self.logarithmic:
-            return self.low * (self.high / self.low) ** share
-        return self.low + share * (self.high - self.low)
+            return f"{self.low * (self.high / self.low) ** share:.3g}"
+        value = self.low + share * (self.high - self.low)
+        return f"{value:.0f}" if self.whole else f"{value:.3g}"
 
     def _share(self, values):
         low, high = self.low, self.high
@@ -63,7 +64,7 @@ def packed(rgb) -> Any:
 
 
 def layer_scale(highest: int) -> Scale:
-    return Scale("Layer", 1.0, float(max(highest, 2)), _DEPTH)
+    return Scale("Layer", 1.0, float(max(highest, 2)), _DEPTH, whole=True)
 
 
 def layer_colours(layers, highest: int):
@@ -73,7 +74,7 @@ def layer_colours(layers, highest: int):
 
 
 def quality_scale() -> Scale:
-    return Scale("Quality (1: all angles ideal)", 0.0, 1.0, _HEAT)
+    return Scale("Quality", 0.0, 1.0, _HEAT)
 
 
 def aspect_scale(highest: float) -> Scale:
@@ -81,4 +82,4 @@ def aspect_scale(highest: float) -> Scale:
 
 
 def height_scale() -> Scale:
-    return Scale("Height over the one asked for, less 1 [%]", -10.0, 10.0, _SIGNED)
+    return Scale("Height error [%]", -10.0, 10.0, _SIGNED)

@@ -8,6 +8,8 @@ from advlayers_gui.colours import Scale
 
 # In the view's own coordinates, which run from -1 to 1 both ways.
 _LEFT, _RIGHT, _BOTTOM, _TOP = -0.95, -0.91, -0.85, -0.25
+_PLATE = (-0.98, -0.72, -0.90, -0.14)  # left, right, bottom, top
+_PLATE_COLOUR = (0.93, 0.94, 0.95)
 _STEPS = 40
 _LABELS = 5
 _TEXT_COLOUR = (0.05, 0.05, 0.05)
@@ -37,8 +39,24 @@ class Legend:
         pick.style = coin.SoPickStyle.UNPICKABLE
         flat = coin.SoLightModel()
         flat.model = coin.SoLightModel.BASE_COLOR
-        for node in (camera, pick, flat, _bar(scale), _texts(scale)):
+        for node in (camera, pick, flat, _plate(), _bar(scale), _texts(scale)):
             self._content.addChild(node)
+
+
+def _plate():
+    """What the texts stand on, so that they can be read before any mesh."""
+    plate = coin.SoSeparator()
+    left, right, bottom, top = _PLATE
+    corners = [(left, bottom, 0.0), (right, bottom, 0.0), (right, top, 0.0), (left, top, 0.0)]
+    colour = coin.SoBaseColor()
+    colour.rgb = _PLATE_COLOUR
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, 4, corners)
+    face = coin.SoFaceSet()
+    face.numVertices = 4
+    for node in (colour, coordinates, face):
+        plate.addChild(node)
+    return plate
 
 
 def _bar(scale: Scale):
@@ -70,7 +88,7 @@ def _texts(scale: Scale):
     texts.addChild(font)
     for k in range(_LABELS):
         share = k / (_LABELS - 1)
-        texts.addChild(_text(f"{scale.value_at(share):.3g}", _RIGHT + 0.015,
+        texts.addChild(_text(scale.label_at(share), _RIGHT + 0.015,
                              _BOTTOM + share * (_TOP - _BOTTOM) - 0.012))
     texts.addChild(_text(scale.title, _LEFT, _TOP + 0.04))
     return texts

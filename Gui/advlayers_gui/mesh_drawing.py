@@ -2,6 +2,7 @@
 window waiting."""
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass
 from typing import Any, Iterator, List, Optional
 
@@ -10,7 +11,10 @@ from pivy import coin
 from PySide import QtCore
 
 # Elements that are handed over at once: some 30 ms for the arrays, and as much for the picture.
-PIECE = 30000
+PIECE = 20000
+_TURN = 0.05  # [s] spent on pieces before the event loop has its turn
+# Beside the viewer's own light, so that no side of the model is black.
+_LIGHTS = (((0.2, 0.3, 1.0), 0.45), ((1.0, 0.6, -0.8), 0.3))
 _LINE_COLOUR = (0.10, 0.12, 0.16)
 
 
@@ -22,6 +26,7 @@ class Piece:
     faces: Any  # int32: the corners of each element, -1
     lines: Any  # int32: both ends of each side, -1; a side of two elements once
     colours: Any  # (elements,) uint32: 0xRRGGBBAA
+    in_layers: int  # elements that are not of the core
 
 
 def pieces_of(mesh, colours, size: int = PIECE) -> Iterator[Piece]:
@@ -30,11 +35,12 @@ def pieces_of(mesh, colours, size: int = PIECE) -> Iterator[Piece]:
     for cells in (mesh.quads, mesh.triangles):
         for start in range(0, len(cells), size):
             some = cells[start:start + size]
-            yield _piece(mesh.nodes, some, colours[first + start:first + start + len(some)])
+            part = slice(first + start, first + start + len(some))
+            yield _piece(mesh.nodes, some, colours[part], mesh.layers[part])
         first += len(cells)
 
 
-def _piece(nodes, cells, colours) -> Piece:
+def _piece(nodes, cells, colours, layers) -> Piece:
     used, corners = np.unique(cells, return_inverse=True)
     corners = corners.reshape(cells.shape).astype(np.int32)
     end = np.full((len(corners), 1), -1, np.int32)
@@ -45,7 +51,8 @@ def _piece(nodes, cells, colours) -> Piece:
     return Piece(np.ascontiguousarray(nodes[used], np.float32),
                  np.hstack([corners, end]).ravel(),
                  lines.astype(np.int32).ravel(),
-                 np.ascontiguousarray(colours, np.uint32))
+                 np.ascontiguousarray(colours, np.uint32),
+                 int(np.count_nonzero(layers)))
 
 
 class _PieceNode:
@@ -57,7 +64,7 @@ class _PieceNode:
         self._colours = coin.SoPackedColor()
         self._faces = coin.SoIndexedFaceSet()
         self._lines = coin.SoIndexedLineSet()
-        self.elements = 0
+        self.elements = self.in_layers = 0
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_FACE
         behind = coin.SoPolygonOffset()  # the sides stay visible on the faces
@@ -82,22 +89,23 @@ class _PieceNode:
         self._points.point.setValues(0, len(piece.points), piece.points)
         self._faces.coordIndex.setValues(0, len(piece.faces), piece.faces)
         self._lines.coordIndex.setValues(0, len(piece.lines), piece.lines)
-        self.paint(piece.colours)
-
-    def paint(self, colours) -> None:
-        self.elements = len(colours)
-        self._colours.orderedRGBA.setNum(len(colours))
-        self._colours.orderedRGBA.setValues(0, len(colours), colours)
+        self.elements, self.in_layers = len(piece.colours), piece.in_layers
+        self._colours.orderedRGBA.setNum(self.elements)
+        self._colours.orderedRGBA.setValues(0, self.elements, piece.colours)
 
 
 class MeshDrawing:
-    """A scene of elements that is filled one piece per turn of the event loop."""
+    """A scene of elements that is filled piece by piece, some in each turn of the event loop."""
 
     def __init__(self) -> None:
         self.root = coin.SoSeparator()
         hints = coin.SoShapeHints()  # both sides lit: surfaces are seen from within too
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+        for direction, intensity in _LIGHTS:
+            light = coin.SoDirectionalLight()
+            light.direction, light.intensity = direction, intensity
+            self.root.addChild(light)
         self._pieces = coin.SoGroup()
         self.root.addChild(hints)
         self.root.addChild(self._pieces)
@@ -106,7 +114,7 @@ class MeshDrawing:
         self._filled = 0
         self._timer = QtCore.QTimer()
         self._timer.setInterval(0)
-        self._timer.timeout.connect(self._fill_next)
+        self._timer.timeout.connect(self._fill_some)
 
     @property
     def element_count(self) -> int:
@@ -114,24 +122,27 @@ class MeshDrawing:
         return sum(node.elements for node in self._nodes)
 
     @property
+    def layer_element_count(self) -> int:
+        """Those of them that are not of the core."""
+        return sum(node.in_layers for node in self._nodes)
+
+    @property
     def busy(self) -> bool:
         return self._waiting is not None
 
     def show(self, pieces: Iterator[Piece]) -> None:
-        """Replaces what is shown, the first piece at once, the others one by one."""
+        """Replaces what is shown: some pieces at once, the others turn by turn."""
         self._waiting, self._filled = iter(pieces), 0
         self._timer.start()
-        self._fill_next()
+        self._fill_some()
 
     def clear(self) -> None:
         self.show(iter(()))
 
-    def paint(self, colours) -> None:
-        """New colours for the elements shown, in their order."""
-        start = 0
-        for node in self._nodes:
-            node.paint(np.ascontiguousarray(colours[start:start + node.elements], np.uint32))
-            start += node.elements
+    def _fill_some(self) -> None:
+        start = time.monotonic()
+        while self._waiting is not None and time.monotonic() - start < _TURN:
+            self._fill_next()
 
     def _fill_next(self) -> None:
         piece = next(self._waiting, None) if self._waiting is not None else None

@@ -1,167 +1,241 @@
-"""The task panel of a layer mesh: the settings asked for most, Mesh and Stop, and what came out."""
+"""The task panel of a layer mesh: what to mesh and how, the mesh as it grows, and what came out."""
 from __future__ import annotations
 
-import time
+from typing import Callable, List, Optional
 
-import FreeCAD
-import FreeCADGui
-from PySide import QtCore, QtGui
+from pivy import coin
+from PySide import QtGui
 
-from advlayers import layer_mesh
-from advlayers.settings_table import setting
+from advlayers import layer_mesh, mesh_data
+from advlayers.element_mesh import ElementMesh, of_core
+from advlayers.layer_heights import height_errors
+from advlayers.mesh_data import MeshData, Place
+from advlayers.report import make_report
+from advlayers_gui.control_table import ControlTable
+from advlayers_gui.field_scene import MARK_COLOUR, FieldScene, growing_pieces, markers
+from advlayers_gui.mesh_task import Canvas, Outcome
+from advlayers_gui.pick_bar import PickBar
+from advlayers_gui.reference_list import ReferenceList
+from advlayers_gui.resources import tr
+from advlayers_gui.results_page import ResultsPage
+from advlayers_gui.run_box import RunBox
+from advlayers_gui.setting_fields import SettingsForm
+from advlayers_gui.task_panel import TaskPanel
+from advlayers_gui.view_3d import Overlay, look_at
 
-_LENGTHS = (("size", "Size"), ("first_height", "First height"))
+# The settings asked for most, in this order; the others stand under Advanced.
+_FIRST = ("size", "first_height", "growth", "layers")
+_RESULTS_TAB = 2
 
 
-class MeshPanel:
-    """Edits one mesh object. OK keeps settings and mesh, Cancel brings both back."""
+class _Canvas(Canvas):
+    """The panel's scene; it takes the place of the shape with the first picture."""
+
+    def __init__(self, scene: FieldScene, before_drawing: Callable[[], None]) -> None:
+        self._scene, self._before_drawing = scene, before_drawing
+
+    @property
+    def busy(self) -> bool:
+        return self._scene.busy
+
+    def prepare(self, mesh: ElementMesh):
+        return growing_pieces(mesh)
+
+    def draw(self, picture) -> None:
+        self._before_drawing()
+        self._scene.grow(picture)
+
+
+class MeshPanel(TaskPanel):
+    """A finished mesh goes to the document with OK: until then the panel has it, and shows it."""
+
+    TITLE = "Edit Layer Mesh"
 
     def __init__(self, mesh_object) -> None:
-        self._object = mesh_object
-        # An undone transaction brings the properties back, but not the mesh.
-        self._old_mesh = mesh_object.FemMesh.copy()
-        self._old_state = {name: getattr(mesh_object, name) for name in mesh_object.PropertiesList
-                           if mesh_object.getGroupOfProperty(name) == "Result"}
-        self._mesher_running = False
-        self._stop_asked = False
-        self.form = self._build()
+        super().__init__(mesh_object)
+        self._outcome: Optional[Outcome] = None
+        self._data: Optional[MeshData] = None
+        self._close_when_done = False
+        self._scene, self._mark = FieldScene(), coin.SoSeparator()
+        self._overlays += [Overlay(mesh_object.Document, node)
+                           for node in (self._scene.root, self._mark)]
+        self._remember_visibility(mesh_object.Part, mesh_object)
+        self._build()
+        if mesh_object.FemMesh.NodeCount:
+            self._data = mesh_data.of_object(mesh_object)
+            self._results.show(self._data)
+        self._pick_bar.picks.begin()
+        self._show_shape()
+        self._changed()
+
+    @property
+    def scene(self) -> FieldScene:
+        """What the panel shows in the 3D view."""
+        return self._scene
+
+    @property
+    def meshing(self) -> bool:
+        return self._run.running
 
     # --- what FreeCAD calls -------------------------------------------------------------------
 
-    def getStandardButtons(self):
-        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
-        try:
-            return int(buttons)
-        except TypeError:  # Qt 6
-            return buttons
-
     def accept(self) -> bool:
-        if self._mesher_running:
+        if self._run.running or (self._outcome is None
+                                 and self._object.State == layer_mesh.NOT_MESHED):
+            self._close_when_done = self._run.running or self._run.start()
             return False
-        self._store_settings()
-        if self._object.State == layer_mesh.NOT_MESHED and not self._mesh():
-            return False
-        document = self._object.Document
-        document.recompute()
-        document.commitTransaction()
-        FreeCADGui.ActiveDocument.resetEdit()
-        return True
+        self._store()
+        if self._outcome is not None:
+            self._outcome.store(self._object)
+        self.leave()
+        meshed = self._object.FemMesh.NodeCount > 0
+        self._object.Part.ViewObject.Visibility = not meshed
+        self._object.ViewObject.Visibility = True
+        return super().accept()
 
-    def reject(self) -> bool:
-        if self._mesher_running:
-            self._stop_asked = True
-            return False
-        document, name = self._object.Document, self._object.Name
-        document.abortTransaction()
-        FreeCADGui.ActiveDocument.resetEdit()
-        if document.getObject(name) is not None and self._old_mesh.NodeCount:
-            self._object.FemMesh = self._old_mesh
-            for key, value in self._old_state.items():
-                setattr(self._object, key, value)
-            document.recompute()
-        return True
+    def _clean_up(self) -> None:
+        self._run.abandon()
+        self._pick_bar.picks.end()
 
     # --- the form -----------------------------------------------------------------------------
 
-    def _build(self):
-        form = QtGui.QWidget()
-        form.setWindowTitle("Layer Mesh")
-        layout = QtGui.QFormLayout(form)
-        self._lengths = {}
-        for key, label in _LENGTHS:
-            field = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-            field.setProperty("unit", "mm")
-            field.setProperty("minimum", 0.0)
-            field.setProperty("value", getattr(self._object, setting(key).property))
-            self._add_row(layout, key, label, field)
-            self._lengths[key] = field
-        self._growth = QtGui.QDoubleSpinBox()
-        self._growth.setRange(setting("growth").low, 10.0)
-        self._growth.setSingleStep(0.05)
-        self._growth.setDecimals(3)
-        self._growth.setValue(self._object.Growth)
-        self._add_row(layout, "growth", "Growth", self._growth)
-        self._layers = QtGui.QLineEdit(self._object.Layers)
-        self._add_row(layout, "layers", "Layers", self._layers)
-        self._button = QtGui.QPushButton("Mesh")
-        self._button.setObjectName("AdvLayersMeshButton")
-        self._button.clicked.connect(self._mesh_or_stop)
-        layout.addRow(self._button)
-        self._status = QtGui.QLabel(self._object.State)
-        self._status.setObjectName("AdvLayersStatus")
-        self._status.setWordWrap(True)
-        layout.addRow(self._status)
-        return form
+    def _build(self) -> None:
+        self.form.setWindowTitle(tr("Layer Mesh"))
+        layout = QtGui.QVBoxLayout(self.form)
+        self._run = RunBox(self._object, self._store,
+                           _Canvas(self._scene, self._make_room), self._done, self._ended)
+        self._pick_bar = PickBar(self._object.Part, self._run.say)
+        self._forms: List[SettingsForm] = []
+        self._tabs = QtGui.QTabWidget()
+        self._tabs.setObjectName("AdvLayersTabs")
+        self._tabs.addTab(self._settings_tab(), tr("Mesh"))
+        self._table = ControlTable(self._object, self._pick_bar.picks, self._changed,
+                                   self._run.say)
+        self._tabs.addTab(self._table.widget, tr("Walls"))
+        self._results = ResultsPage(self._colour_by, self._look)
+        self._tabs.addTab(self._results.widget, tr("Results"))
+        self._tabs.currentChanged.connect(self._turned_to)
+        layout.addWidget(self._pick_bar.widget)
+        layout.addWidget(self._tabs)
+        layout.addWidget(self._run.widget)
 
-    def _add_row(self, layout, key: str, label: str, field) -> None:
-        field.setToolTip(setting(key).doc)
-        field.setObjectName(f"AdvLayers_{key}")
-        layout.addRow(label, field)
+    def _settings_tab(self):
+        tab = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(tab)
+        faces = QtGui.QGroupBox(tr("Faces of {}").format(
+            self._object.Part.Label))
+        inside = QtGui.QVBoxLayout(faces)
+        self._faces = ReferenceList("faces", ("Face",), self._pick_bar.picks, self._set_faces,
+                                    self._run.say, tr("all faces"))
+        self._faces.show(self._object.Faces)
+        inside.addWidget(self._faces.widget)
+        layout.addWidget(faces)
+        entries = {entry.key: entry for entry in layer_mesh.property_settings()
+                   if entry.key != "faces"}
+        form = QtGui.QFormLayout()
+        layout.addLayout(form)
+        self._forms.append(SettingsForm(
+            self._object, [entries.pop(key) for key in _FIRST], form, self._changed))
+        layout.addWidget(self._grow_from_all())
+        layout.addWidget(self._advanced(entries.values()))
+        layout.addStretch()
+        return tab
 
-    def _store_settings(self) -> None:
-        for key, field in self._lengths.items():
-            value = field.property("value")
-            setattr(self._object, setting(key).property, getattr(value, "Value", value))
-        self._object.Growth = self._growth.value()
-        self._object.Layers = self._layers.text().strip()
+    def _grow_from_all(self):
+        box = QtGui.QCheckBox(tr("Layers from all edges"))
+        box.setObjectName("AdvLayers_grow_from_all")
+        box.setToolTip(self._object.getDocumentationOfProperty("GrowFromAll"))
+        box.setChecked(self._object.GrowFromAll)
+        box.toggled.connect(self._set_grow_from_all)
+        return box
+
+    def _advanced(self, entries):
+        group = QtGui.QGroupBox(tr("Advanced"))
+        group.setObjectName("AdvLayersAdvanced")
+        group.setCheckable(True)
+        group.setChecked(False)
+        inside = QtGui.QWidget()
+        QtGui.QVBoxLayout(group).addWidget(inside)
+        self._forms.append(SettingsForm(self._object, entries, QtGui.QFormLayout(inside),
+                                        self._changed))
+        inside.setVisible(False)
+        group.toggled.connect(inside.setVisible)
+        return group
+
+    # --- settings -----------------------------------------------------------------------------
+
+    def _store(self) -> None:
+        for form in self._forms:
+            form.store()
+        self._table.store()
+
+    def _set_faces(self, names: List[str]) -> None:
+        self._object.Faces = names
+        self._changed()
+
+    def _set_grow_from_all(self, on: bool) -> None:
+        self._object.GrowFromAll = on
+        self._changed()
+
+    def _changed(self) -> None:
+        wrong = self._preview_heights(self._object)
+        if wrong:
+            self._run.say(wrong)
+        elif not self._run.running:
+            layer_mesh.refresh_state(self._object)
+            self._run.say(self._object.State)
 
     # --- meshing ------------------------------------------------------------------------------
 
-    def _mesh_or_stop(self) -> None:
-        if self._mesher_running:
-            self._stop_asked = True
-        else:
-            self._mesh()
+    def _make_room(self) -> None:
+        self._heights.hide()
+        self._set_visible(False)
 
-    def _mesh(self) -> bool:
-        """Meshes while the window stays alive; says on the status line how it went."""
-        self._store_settings()
-        self._mesher_running, self._stop_asked = True, False
-        self._button.setText("Stop")
-        progress = _Progress(self._status)
-        try:
-            layer_mesh.update(self._object, lambda reports: self._watch(progress, reports))
-        except _Stopped:
-            self._status.setText("Stopped; the mesh is the one before.")
-            return False
-        except (ValueError, RuntimeError) as error:
-            FreeCAD.Console.PrintError(f"Advancing Layers: {error}\n")
-            self._status.setText(str(error))
-            return False
-        finally:
-            self._mesher_running = False
-            self._button.setText("Mesh")
-        if self._object.Part.ViewObject is not None:
-            self._object.Part.ViewObject.Visibility = False
-        self._status.setText(progress.summary(self._object))
-        return True
+    def _done(self, outcome: Outcome) -> None:
+        self._outcome = outcome
+        report = make_report(self._object.Part.Label, outcome.mesh,
+                             outcome.task.made_from.settings, [], outcome.mesh.seconds)
+        self._data = MeshData(of_core(outcome.mesh), height_errors(outcome.mesh), report)
+        self._results.show(self._data)
+        self._tabs.setCurrentIndex(_RESULTS_TAB)
+        self._show_mesh()
 
-    def _watch(self, progress, reports) -> None:
-        progress.add(reports)
-        QtCore.QCoreApplication.processEvents()
-        if self._stop_asked:
-            raise _Stopped()
+    def _ended(self, meshed: bool) -> None:
+        if self._close_when_done and meshed:
+            self.accept()
+        elif not meshed:
+            self._turned_to(self._tabs.currentIndex())
+        self._close_when_done = False
 
+    # --- the view -----------------------------------------------------------------------------
 
-class _Stopped(Exception):
-    """The user pressed Stop."""
+    def _turned_to(self, tab: int) -> None:
+        if tab == _RESULTS_TAB and self._data is not None:
+            self._show_mesh()
+        elif not self._run.running:
+            self._show_shape()
 
+    def _show_shape(self) -> None:
+        """The shape, to pick from it."""
+        self._scene.clear()
+        self._mark.removeAllChildren()
+        self._heights.unhide()
+        self._set_visible(True)
 
-class _Progress:
-    def __init__(self, label) -> None:
-        self._label = label
-        self._start = time.monotonic()
-        self._layers = self._quads = self._triangles = 0
+    def _show_mesh(self) -> None:
+        self._scene.show(self._data, self._results.field)
+        self._make_room()
 
-    def add(self, reports) -> None:
-        self._layers += len(reports)
-        self._quads += sum(report.quads for report in reports)
-        self._triangles += sum(report.triangles for report in reports)
-        self._label.setText(f"{self._layers} layers · {self._quads} quads · "
-                            f"{time.monotonic() - self._start:.1f} s")
+    def _set_visible(self, shape: bool) -> None:
+        self._object.Part.ViewObject.Visibility = shape
+        self._object.ViewObject.Visibility = False
 
-    def summary(self, mesh_object) -> str:
-        lines = [f"{mesh_object.QuadCount} quads and {mesh_object.TriangleCount} triangles "
-                 f"({mesh_object.QuadPercent:.1f} % quads) in "
-                 f"{time.monotonic() - self._start:.1f} s"]
-        return "\n".join(lines + list(mesh_object.Messages)[:10])
+    def _colour_by(self, field: str) -> None:
+        if self._data is not None:
+            self._scene.show(self._data, field)
+
+    def _look(self, place: Optional[Place]) -> None:
+        self._mark.removeAllChildren()
+        if place is not None:
+            look_at(self._object.Document, place.point, place.normal, place.width)
+            self._mark.addChild(markers([place.point], MARK_COLOUR))

@@ -8,35 +8,45 @@ from typing import Any, Callable, Dict, List, Optional
 
 from PySide import QtCore
 
-from advlayers import layer_mesh
+from advlayers import layer_mesh, preferences
 from advlayers.core_access import load_core
 from advlayers.element_mesh import ElementMesh, of_core
 from advlayers.errors import Stopped
 from advlayers.meshing import Run
 
 _POLL = 20  # [ms] between two looks at the worker
-# Seconds that a run may wait, all in all, for its pictures to be drawn: so that a run too short to
-# be watched is seen to grow as well.
-_PATIENCE = 0.4
-# A picture may take this share of the time of the run, and come this often at most.
+# Time that a run may wait, all in all, for pictures to be drawn, so that a run too short to be
+# watched is seen to grow as well: seconds, and a share of what it has taken before the first layer.
+# The waits lie at layers 1, 3, 6, 10, 16, ...
+_PATIENCE, _PATIENCE_SHARE = 0.5, 0.3
+_NEXT_WAIT = 1.5
+# A picture may take this share of the time of the run.
 _PICTURE_SHARE = 0.2
-_PICTURE_INTERVAL = 0.1  # [s]
 
 
 @dataclass
 class Progress:
     """What the run has told so far."""
 
-    patches: Dict[int, int] = field(default_factory=dict)  # patch -> its last layer
-    patch: int = -1  # that reported last; -1: triangulating
+    patch: int = -1  # that reported last; -1: still triangulating
+    layer: int = 0  # of that patch
     quads: int = 0
     triangles: int = 0
     start: float = field(default_factory=time.monotonic)
-    growing: bool = True  # False: the layers have ended, the core is finished
+    grown: bool = False  # the layers have ended, the core is being finished
+    _first: Dict[int, int] = field(default_factory=dict)  # patch -> front vertices at first
+    _last: Dict[int, int] = field(default_factory=dict)  # and after its last layer
 
     @property
-    def layer(self) -> int:
-        return self.patches.get(self.patch, 0)
+    def patches(self) -> int:
+        """That have grown a layer."""
+        return len(self._first)
+
+    @property
+    def share(self) -> float:
+        """From 0 to 1: how much of the fronts has ended."""
+        first = sum(self._first.values())
+        return 1.0 - sum(self._last.values()) / first if first else 0.0
 
     @property
     def elements(self) -> int:
@@ -52,7 +62,9 @@ class Progress:
 
     def add(self, reports: List[Any]) -> None:
         for report in reports:
-            self.patch, self.patches[report.patch] = report.patch, report.layer
+            self.patch, self.layer = report.patch, report.layer
+            self._first.setdefault(report.patch, max(report.front_vertices, 1))
+            self._last[report.patch] = report.front_vertices
             self.quads += report.quads
             self.triangles += report.triangles
 
@@ -69,21 +81,37 @@ class Outcome:
         layer_mesh.set_mesh(mesh_object, self.mesh, self.fem, self.task.made_from)
 
 
+class Canvas:
+    """Where a growing mesh is drawn."""
+
+    busy = False  # not ready for the next picture
+
+    def prepare(self, mesh: ElementMesh) -> Any:
+        """Makes a picture; called in the worker."""
+        raise NotImplementedError
+
+    def draw(self, picture: Any) -> None:
+        """Called in the window's thread."""
+        raise NotImplementedError
+
+
 class MeshTask:
     """One run for one mesh object. The functions handed in are called in the window's thread:
-    `on_progress` at every look, `on_picture` with the mesh as it grows, and in the end one of
-    `on_done`, `on_failed` (with the reason) and `on_stopped`."""
+    `on_progress` at every look, and in the end one of `on_done`, `on_failed` (with the reason) and
+    `on_stopped`. The mesh is drawn on the canvas as it grows."""
 
     def __init__(self, task: layer_mesh.Task, on_progress: Callable[[Progress], None],
                  on_done: Callable[[Outcome], None], on_failed: Callable[[str], None],
                  on_stopped: Callable[[], None],
-                 on_picture: Optional[Callable[[ElementMesh], None]] = None) -> None:
+                 canvas: Optional[Canvas] = None) -> None:
         core = load_core()
         self._task = task
-        self._on_progress, self._on_picture = on_progress, on_picture
+        self._on_progress, self._canvas = on_progress, canvas
         self._on_done, self._on_failed, self._on_stopped = on_done, on_failed, on_stopped
         self.progress = Progress()
-        self._pictures = _Pictures() if on_picture else None
+        shown = canvas is not None and preferences.live_preview()
+        self._pictures = _Pictures(canvas.prepare) if shown else None
+        self._drawing_since: Optional[float] = None
         self._run = Run(lambda: task.make_mesher(core),
                         self._pictures.offer if self._pictures else None, self._finish)
         self._timer = QtCore.QTimer()
@@ -108,22 +136,27 @@ class MeshTask:
         self._run.cancel()
 
     def _finish(self, mesh, check) -> Outcome:
-        self.progress.growing = False
         return Outcome(self._task, mesh, self._task.make_fem_mesh(mesh, check))
 
     def _look(self) -> None:
         running = self._run.running  # asked first, so that no report after it is missed
         self.progress.add(self._run.reports())
+        self.progress.grown = self._run.grown
         self._on_progress(self.progress)
-        if self._pictures:
-            picture = self._pictures.take()
-            if picture is not None and running:
-                start = time.monotonic()
-                self._on_picture(picture)
-                self._pictures.drawn(time.monotonic() - start)
+        if running and self._pictures and not self._canvas.busy:
+            self._draw()
         if not running and self._timer.isActive():
             self._timer.stop()
             self._end()
+
+    def _draw(self) -> None:
+        if self._drawing_since is not None:
+            self._pictures.drawn(time.monotonic() - self._drawing_since)
+            self._drawing_since = None
+        picture = self._pictures.take()
+        if picture is not None:
+            self._drawing_since = time.monotonic()
+            self._canvas.draw(picture)
 
     def _end(self) -> None:
         try:
@@ -139,33 +172,42 @@ class MeshTask:
 class _Pictures:
     """Hands the growing mesh from the worker to the window: the newest alone, now and then."""
 
-    def __init__(self) -> None:
+    def __init__(self, prepare: Callable[[ElementMesh], Any]) -> None:
+        self._prepare, self._rate = prepare, preferences.preview_rate()
         self._lock = threading.Lock()
-        self._newest: Optional[ElementMesh] = None
+        self._newest: Any = None
         self._taken = threading.Event()
-        self._patience = _PATIENCE
+        self._start = time.monotonic()
+        self._patience = 0.0
+        self._round, self._next_wait = 0, 1
         self._due = 0.0
         self._cost = 0.0  # [s] of the last picture, in both threads
         self._last_patch = -1
 
     def offer(self, mesher, report) -> None:
         """In the worker. All patches grow by one layer before the first of them reports it."""
+        start = time.monotonic()
+        if self._last_patch < 0:
+            self._patience = _PATIENCE + _PATIENCE_SHARE * (start - self._start)
         new_round = report.patch <= self._last_patch or self._last_patch < 0
         self._last_patch = report.patch
-        if not new_round or (time.monotonic() < self._due and self._patience <= 0.0):
+        self._round += new_round
+        waits = self._patience > 0.0 and self._round >= self._next_wait
+        if not new_round or (start < self._due and not waits):
             return
-        start = time.monotonic()
-        picture = of_core(mesher.snapshot())
+        picture = self._prepare(of_core(mesher.snapshot()))
         self._taken.clear()
         with self._lock:
             self._newest = picture
         self._cost = time.monotonic() - start
-        if self._patience > 0.0:
+        if waits:
+            self._next_wait = int(_NEXT_WAIT * self._round) + 2
+            start = time.monotonic()
             self._taken.wait(self._patience)
             self._patience -= time.monotonic() - start
-        self._due = time.monotonic() + max(_PICTURE_INTERVAL, self._cost / _PICTURE_SHARE)
+        self._due = time.monotonic() + max(1.0 / self._rate, self._cost / _PICTURE_SHARE)
 
-    def take(self) -> Optional[ElementMesh]:
+    def take(self) -> Any:
         """In the window's thread."""
         with self._lock:
             picture, self._newest = self._newest, None

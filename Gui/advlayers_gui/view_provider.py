@@ -1,6 +1,8 @@
 """How a layer mesh shows in the tree and in the view."""
 from __future__ import annotations
 
+from typing import Any
+
 import FreeCAD
 import FreeCADGui
 
@@ -10,10 +12,41 @@ from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView
 
 
-class LayerMeshView(Stateless, FieldView):
-    """View provider of a layer mesh."""
+class EditedInPanel:
+    """The part of a view provider that opens and closes a task panel."""
 
-    _object = None
+    panel: Any = None  # while it is open
+
+    def make_panel(self, document_object):
+        raise NotImplementedError
+
+    def setEdit(self, view_object, mode=0) -> bool:
+        if mode != 0 or FreeCADGui.Control.activeDialog():
+            return False
+        document = view_object.Object.Document
+        self.panel = self.make_panel(view_object.Object)
+        if not document.HasPendingTransaction:
+            document.openTransaction(self.panel.TITLE)
+        FreeCADGui.Control.showDialog(self.panel)
+        return True
+
+    def unsetEdit(self, _view_object, _mode=0) -> bool:
+        if self.panel is not None:
+            self.panel.leave()
+            self.panel = None
+            FreeCADGui.Control.closeDialog()
+        return True
+
+    def doubleClicked(self, view_object) -> bool:
+        if FreeCADGui.Control.activeDialog():
+            FreeCAD.Console.PrintWarning("Close the open task panel first.\n")
+        else:
+            view_object.Document.setEdit(view_object.Object.Name)
+        return True
+
+
+class LayerMeshView(Stateless, EditedInPanel, FieldView):
+    """View provider of a layer mesh."""
 
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
@@ -28,33 +61,14 @@ class LayerMeshView(Stateless, FieldView):
     def claimChildren(self):
         return children(self._object)
 
-    def setEdit(self, view_object, mode=0) -> bool:
-        from advlayers_gui import mesh_panel
+    def make_panel(self, document_object):
+        from advlayers_gui.mesh_panel import MeshPanel
 
-        if mode != 0 or FreeCADGui.Control.activeDialog():
-            return False
-        document = view_object.Object.Document
-        if not document.HasPendingTransaction:
-            document.openTransaction("Edit Layer Mesh")
-        FreeCADGui.Control.showDialog(mesh_panel.MeshPanel(view_object.Object))
-        return True
-
-    def unsetEdit(self, _view_object, _mode=0) -> bool:
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    def doubleClicked(self, view_object) -> bool:
-        if FreeCADGui.Control.activeDialog():
-            FreeCAD.Console.PrintWarning("Close the open task panel first.\n")
-        else:
-            view_object.Document.setEdit(view_object.Object.Name)
-        return True
+        return MeshPanel(document_object)
 
 
-class ControlView(Stateless):
+class ControlView(Stateless, EditedInPanel):
     """View provider of a wall, a size or a group."""
-
-    _object = None
 
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
@@ -64,6 +78,11 @@ class ControlView(Stateless):
 
     def getIcon(self) -> str:
         return icon(f"AdvLayers_{type(self._object.Proxy).__name__}")
+
+    def make_panel(self, document_object):
+        from advlayers_gui.control_panel import ControlPanel
+
+        return ControlPanel(document_object)
 
 
 def attach_to(document_object) -> None:
@@ -75,8 +94,7 @@ def attach_to(document_object) -> None:
         ControlView(view_object)
     else:
         LayerMeshView(view_object)
+        # A surface mesh has no inner faces; looking for them takes FreeCAD seconds.
+        view_object.MaxFacesShowInner = 0
         # The mesh's own edges show what was made; the shape below would hide half of it.
         view_object.ShapeColor = (0.80, 0.87, 0.95)
-    # FreeCAD attaches the first provider of an object, and no later one.
-    if view_object.Proxy._object is None:
-        view_object.Proxy.attach(view_object)

@@ -1,0 +1,42 @@
+"""The task panel of a wall, a size or a group."""
+from __future__ import annotations
+
+from PySide import QtGui
+
+from advlayers import controls
+from advlayers_gui.control_editor import ControlEditor
+from advlayers_gui.pick_bar import PickBar
+from advlayers_gui.task_panel import TaskPanel
+
+
+class ControlPanel(TaskPanel):
+    TITLE = "Edit Wall, Size or Group"
+
+    def __init__(self, control) -> None:
+        super().__init__(control)
+        self._mesh_object = controls.mesh_of(control)
+        source = self._mesh_object.Part
+        self._remember_visibility(source, self._mesh_object)
+        self.form.setWindowTitle(control.Label)
+        layout = QtGui.QVBoxLayout(self.form)
+        self._message = QtGui.QLabel()
+        self._message.setObjectName("AdvLayersStatus")
+        self._message.setWordWrap(True)
+        self._pick_bar = PickBar(source, self._message.setText)
+        self._editor = ControlEditor(control, source, self._pick_bar.picks, self._changed,
+                                     self._message.setText)
+        for part in (self._pick_bar.widget, self._editor.widget, self._message):
+            layout.addWidget(part)
+        self._pick_bar.picks.begin()
+        source.ViewObject.Visibility, self._mesh_object.ViewObject.Visibility = True, False
+        self._changed()
+
+    def accept(self) -> bool:
+        self._editor.store()
+        return super().accept()
+
+    def _changed(self) -> None:
+        self._message.setText(self._preview_heights(self._mesh_object))
+
+    def _clean_up(self) -> None:
+        self._pick_bar.picks.end()

@@ -1,0 +1,64 @@
+"""Lines in the 3D view where the layers that are asked for would end."""
+from __future__ import annotations
+
+from typing import Any, Iterable, List
+
+import numpy as np
+from pivy import coin
+
+_FIRST_COLOUR = (0.10, 0.45, 0.85)
+_LAST_COLOUR = (0.93, 0.50, 0.10)
+
+
+class HeightPreview:
+    """Blue: the top of the first layer; orange: that of the last one, where their number is set."""
+
+    def __init__(self) -> None:
+        self.root = self._switch = coin.SoSwitch()
+        self._lines = coin.SoSeparator()
+        self._switch.addChild(self._lines)
+        self.unhide()
+
+    def hide(self) -> None:
+        self._switch.whichChild = coin.SO_SWITCH_NONE
+
+    def unhide(self) -> None:
+        self._switch.whichChild = coin.SO_SWITCH_ALL
+
+    def clear(self) -> None:
+        self._lines.removeAllChildren()
+
+    def show(self, lines: Iterable[Any]) -> None:
+        """Takes height_lines.WallLines."""
+        lines = list(lines)
+        self.clear()
+        pick = coin.SoPickStyle()
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        flat = coin.SoLightModel()
+        flat.model = coin.SoLightModel.BASE_COLOR
+        style = coin.SoDrawStyle()
+        style.lineWidth = 2.0
+        for node in (pick, flat, style):
+            self._lines.addChild(node)
+        self._lines.addChild(_polylines([line.first for line in lines], _FIRST_COLOUR))
+        ends = [line for line in lines if line.last is not None]
+        self._lines.addChild(_polylines([line.last for line in ends], _LAST_COLOUR))
+        rungs = [np.array([foot, last]) for line in ends
+                 for foot, last in zip(line.foot, line.last)]
+        self._lines.addChild(_polylines(rungs, _LAST_COLOUR))
+
+
+def _polylines(polylines: List[Any], colour):
+    separator = coin.SoSeparator()
+    if not polylines:
+        return separator
+    paint = coin.SoBaseColor()
+    paint.rgb = colour
+    points = np.concatenate(polylines).astype(np.float32)
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, len(points), points)
+    lines = coin.SoLineSet()
+    lines.numVertices.setValues(0, len(polylines), [len(polyline) for polyline in polylines])
+    for node in (paint, coordinates, lines):
+        separator.addChild(node)
+    return separator

@@ -1,0 +1,78 @@
+"""What is selected in the 3D view, and buttons that select what belongs to it."""
+from __future__ import annotations
+
+from typing import Callable, List
+
+from PySide import QtGui
+
+from advlayers import cad_input
+from advlayers.edge_chains import EdgeChains
+from advlayers_gui.picking import PickSession
+from advlayers_gui.resources import tr
+
+
+class PickBar:
+    def __init__(self, source, on_refused: Callable[[str], None]) -> None:
+        self._source, self._on_refused = source, on_refused
+        self.picks = PickSession(source, self._selection_changed, on_refused)
+        self.widget = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(self.widget)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self._label = QtGui.QLabel()
+        self._label.setObjectName("AdvLayersSelected")
+        self._label.setWordWrap(True)
+        layout.addWidget(self._label)
+        row = QtGui.QHBoxLayout()
+        layout.addLayout(row)
+        for name, text, doc, act in (
+                ("Tangent", tr("Tangent"),
+                 tr("Selects the edges that go on from the selected ones without a corner"),
+                 self._tangent),
+                ("Loop", tr("Loop"),
+                 tr("Selects the whole loop of the selected edges; with a face selected too, "
+                    "that on the face"), self._loop),
+                ("FaceEdges", tr("Face edges"),
+                 tr("Selects all edges of the selected faces"),
+                 self._of_faces)):
+            button = QtGui.QToolButton()
+            button.setText(text)
+            button.setObjectName(f"AdvLayersPick{name}")
+            button.setToolTip(doc)
+            button.clicked.connect(act)
+            row.addWidget(button)
+        row.addStretch()
+        self._selection_changed()
+
+    def _selection_changed(self) -> None:
+        names = self.picks.names()
+        shown = ", ".join(names[:8]) + (" …" if len(names) > 8 else "")
+        self._label.setText(
+            tr("Selected: {}").format(shown) if names
+            else tr("Select faces and edges in the 3D view."))
+
+    def _chains(self) -> EdgeChains:
+        return EdgeChains(cad_input.global_shape(self._source))
+
+    def _picked(self, kind: str) -> List[str]:
+        names = [name for name in self.picks.names() if name.startswith(kind)]
+        if not names:
+            wanted = tr("an edge") if kind == "Edge" \
+                else tr("a face")
+            self._on_refused(tr("select {} first").format(wanted))
+        return names
+
+    def _tangent(self) -> None:
+        edges = self._picked("Edge")
+        if edges:
+            self.picks.select(self._chains().tangent(edges))
+
+    def _loop(self) -> None:
+        edges = self._picked("Edge")
+        if edges:
+            faces = [name for name in self.picks.names() if name.startswith("Face")]
+            self.picks.select(self._chains().loop(edges, faces))
+
+    def _of_faces(self) -> None:
+        faces = self._picked("Face")
+        if faces:
+            self.picks.select(self._chains().of_faces(faces))

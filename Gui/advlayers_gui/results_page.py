@@ -1,0 +1,208 @@
+"""What came out: counts, qualities, walls asked and achieved, notes; and where to look at them."""
+from __future__ import annotations
+
+from typing import Any, Callable, List, Mapping, Optional, Tuple
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from advlayers.mesh_data import FIELDS, HEIGHT, POOR_QUALITY, QUALITY, MeshData, Place
+from advlayers_gui.histogram import BARS, Histogram
+from advlayers_gui.resources import tr
+
+_SHOWN_FIGURES = (
+    ("nodes", "Nodes", "{}"), ("quads", "Quads", "{}"), ("triangles", "Triangles", "{}"),
+    ("quad_percent", "Quads among all", "{:.1f} %"),
+    ("layer_quad_percent", "Quads in layers", "{:.1f} %"),
+    ("angles_45_135_percent", "Angles 45–135°", "{:.1f} %"),
+    ("min_angle", "Smallest angle", "{:.1f}°"), ("max_angle", "Largest angle", "{:.1f}°"),
+    ("inverted", "Inverted", "{}"),
+)
+_HEADERS = ("Edge", "Face", "Height asked", "Height got", "Growth", "Layers", "Ended by")
+_POOR_SHOWN = 10
+
+
+class ResultsPage:
+    """`on_field` gets the field to colour by; `on_place` where to look at, None for nothing."""
+
+    def __init__(self, on_field: Callable[[str], None],
+                 on_place: Callable[[Optional[Place]], None]) -> None:
+        self._on_field, self._on_place = on_field, on_place
+        self._data: Optional[MeshData] = None
+        self._notes: List[Tuple[str, Callable[[], Optional[Place]]]] = []
+        self.widget = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(self.widget)
+        self._figures = QtGui.QLabel(tr("There is no mesh yet."))
+        self._figures.setObjectName("AdvLayersFigures")
+        self._figures.setWordWrap(True)
+        layout.addWidget(self._figures)
+        layout.addLayout(self._make_field_row())
+        self._histogram = Histogram(self._pick_bar)
+        layout.addWidget(self._histogram)
+        layout.addWidget(self._make_walls())
+        layout.addWidget(self._make_notes())
+        self._reason = QtGui.QLabel()
+        self._reason.setObjectName("AdvLayersReason")
+        self._reason.setWordWrap(True)
+        layout.addWidget(self._reason)
+
+    @property
+    def field(self) -> str:
+        return FIELDS[self._choice.currentIndex()]
+
+    def show(self, data: MeshData) -> None:
+        self._data = data
+        self._reason.clear()
+        self._figures.setText(_figures_text(data.report))
+        self._histogram.show_values(data.field(QUALITY))
+        self._fill_walls(data.report.get("walls", ()))
+        self._fill_notes()
+
+    # --- widgets ------------------------------------------------------------------------------
+
+    def _make_field_row(self):
+        row = QtGui.QHBoxLayout()
+        row.addWidget(QtGui.QLabel(tr("Colour by")))
+        self._choice = QtGui.QComboBox()
+        self._choice.setObjectName("AdvLayersField")
+        self._choice.addItems([tr(name) for name in FIELDS])
+        self._choice.currentIndexChanged.connect(lambda index: self._on_field(FIELDS[index]))
+        row.addWidget(self._choice, 1)
+        return row
+
+    def _make_walls(self):
+        self._walls = QtGui.QTableWidget(0, len(_HEADERS))
+        self._walls.setObjectName("AdvLayersWalls")
+        self._walls.setHorizontalHeaderLabels(
+            [tr(header) for header in _HEADERS])
+        self._walls.verticalHeader().setVisible(False)
+        self._walls.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self._walls.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        self._walls.setMinimumHeight(130)
+        self._walls.cellClicked.connect(lambda row, _column: self._pick_wall(row))
+        return self._walls
+
+    def _make_notes(self):
+        self._list = QtGui.QListWidget()
+        self._list.setObjectName("AdvLayersNotes")
+        self._list.setMinimumHeight(80)
+        self._list.setToolTip(tr("A click shows the place"))
+        self._list.itemClicked.connect(lambda _item: self._pick_note(self._list.currentRow()))
+        return self._list
+
+    # --- contents -----------------------------------------------------------------------------
+
+    def _fill_walls(self, walls) -> None:
+        self._walls.setRowCount(len(walls))
+        for row, wall in enumerate(walls):
+            for column, text in enumerate(_wall_texts(wall)):
+                item = QtGui.QTableWidgetItem(text)
+                item.setToolTip(text)
+                if column > 1:
+                    item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+                self._walls.setItem(row, column, item)
+        self._walls.resizeColumnsToContents()
+
+    def _fill_notes(self) -> None:
+        data = self._data
+        self._notes = [
+            (f"{entry['severity']}: {entry['text']}",
+             lambda entry=entry: data.place_near(entry["point"])
+             if entry["point"] and any(entry["point"]) else None)
+            for entry in data.report.get("diagnostics", ())]
+        quality = data.field(QUALITY)
+        for element in quality.argsort()[:_POOR_SHOWN].tolist():
+            if quality[element] < POOR_QUALITY:
+                layer = int(data.mesh.layers[element])
+                where = tr("in the core") if layer == 0 else tr("in layer {}").format(layer)
+                self._notes.append((
+                    tr("element {} {}: quality {:.2f}").format(
+                        element + 1, where, quality[element]),
+                    lambda element=element: data.place_of(element)))
+        self._list.clear()
+        self._list.addItems([text for text, _place in self._notes])
+
+    # --- clicks -------------------------------------------------------------------------------
+
+    def _pick_bar(self, bar: int) -> None:
+        if self._data is None:
+            return
+        quality = self._data.field(QUALITY)
+        low, high = bar / BARS, (bar + 1) / BARS
+        element = self._data.worst((quality >= low) & ((quality < high) | (bar == BARS - 1)))
+        if element >= 0:
+            self._look(self._data.place_of(element), tr("element {}: quality {:.2f}").format(
+                element + 1, quality[element]))
+
+    def _pick_note(self, row: int) -> None:
+        text, place = self._notes[row]
+        self._look(place(), text)
+
+    def _pick_wall(self, row: int) -> None:
+        """Where layers stopped early, if any; else where the first height is most off."""
+        wall = self._data.report["walls"][row]
+        reason, point = _early_stop(wall)
+        if point is not None:
+            text = tr("{edge} on {face}: layers end here first: {reason}").format(
+                edge=wall["edge"], face=wall["face"], reason=stop_text(reason))
+            self._look(self._data.place_near(point), text)
+            return
+        element = self._data.worst_height(int(wall["edge"][4:]), int(wall["face"][4:]))
+        if element < 0:
+            self._look(None, tr("{edge} on {face} has no layer").format(
+                edge=wall["edge"], face=wall["face"]))
+            return
+        text = tr("{edge} on {face}: the first height is most off here, by {error:+.1f} %").format(
+            edge=wall["edge"], face=wall["face"], error=self._data.field(HEIGHT)[element])
+        self._look(self._data.place_of(element), text)
+
+    def _look(self, place: Optional[Place], text: str) -> None:
+        self._reason.setText(text)
+        self._on_place(place)
+
+
+# Ends that are no shortfall: there was nowhere to go on, or no need to.
+_EXPECTED = ("layers-reached", "isotropic", "closed", "merged")
+
+
+def stop_text(reason: str) -> str:
+    return {
+        "layers-reached": tr("all layers made"),
+        "isotropic": tr("as high as wide"),
+        "collision": tr("another front is too near"),
+        "closed": tr("the fronts have met"),
+        "blocked": tr("no valid element fits"),
+        "merged": tr("joined with its neighbour"),
+    }.get(reason, reason)
+
+
+def _early_stop(wall: Mapping[str, Any]):
+    """The reason of the lowest end that is a shortfall, and its point; else nothing."""
+    places = {reason: place for reason, place in wall.get("stop_places", {}).items()
+              if reason not in _EXPECTED}
+    if not places:
+        return "", None
+    reason = min(places, key=lambda key: places[key]["layer"])
+    return reason, places[reason]["point"]
+
+
+def _figures_text(report: Mapping[str, Any]) -> str:
+    shown = [f"{tr(label)}: <b>{form.format(report[key])}</b>"
+             for key, label, form in _SHOWN_FIGURES if key in report]
+    return " · ".join(shown)
+
+
+def _wall_texts(wall: Mapping[str, Any]) -> List[str]:
+    achieved = wall["achieved_first_height"]
+    mean = achieved["mean"]
+    asked = wall["requested_layers"]
+    stops = ", ".join(f"{stop_text(reason)} ({count})"
+                      for reason, count in sorted(wall["stops"].items(), key=lambda x: -x[1]))
+    return [wall["edge"], wall["face"], _length(wall["first_height"]),
+            f"{_length(mean)} ({_length(achieved['min'])} – {_length(achieved['max'])})",
+            f"{wall['growth']:.3g} → {wall['achieved_growth']:.3g}",
+            f"{asked} → {wall['layers']}" if asked else str(wall["layers"]), stops]
+
+
+def _length(millimetres: float) -> str:
+    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString

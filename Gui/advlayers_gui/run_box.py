@@ -1,0 +1,136 @@
+"""Mesh and Stop, a progress bar, and what the mesher is at."""
+from __future__ import annotations
+
+from typing import Callable, Optional
+
+import FreeCAD
+from PySide import QtGui
+
+from advlayers import layer_mesh
+from advlayers.errors import CoreMissing
+from advlayers_gui.mesh_task import Canvas, MeshTask, Outcome, Progress
+from advlayers_gui.resources import tr
+
+_STEPS = 1000  # of the progress bar
+
+
+class RunBox:
+    """Meshes one object on request. `before` stores what the fields say; the growing mesh is
+    drawn on the canvas; `on_done` gets the finished one; `on_end` follows every run, whether it was
+    finished, stopped or failed."""
+
+    def __init__(self, mesh_object, before: Callable[[], None],
+                 canvas: Optional[Canvas],
+                 on_done: Callable[[Outcome], None], on_end: Callable[[bool], None]) -> None:
+        self._mesh_object, self._before = mesh_object, before
+        self._canvas, self._on_done, self._on_end = canvas, on_done, on_end
+        self._task: Optional[MeshTask] = None
+        self.widget = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(self.widget)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self._button = QtGui.QPushButton(tr("Mesh"))
+        self._button.setObjectName("AdvLayersMeshButton")
+        self._button.clicked.connect(self._start_or_stop)
+        self._bar = QtGui.QProgressBar()
+        self._bar.setObjectName("AdvLayersProgress")
+        self._bar.setTextVisible(False)
+        self._bar.hide()
+        self._status = QtGui.QLabel(mesh_object.State)
+        self._status.setObjectName("AdvLayersStatus")
+        self._status.setWordWrap(True)
+        for part in (self._button, self._bar, self._status):
+            layout.addWidget(part)
+
+    @property
+    def running(self) -> bool:
+        return self._task is not None
+
+    def say(self, text: str) -> None:
+        self._status.setText(text)
+
+    def fail(self, text: str) -> None:
+        """Tells an error where the user looks, and in the report view."""
+        FreeCAD.Console.PrintError(f"Advancing Layers: {text}\n")
+        self.say(text)
+
+    def start(self) -> bool:
+        """Whether the run is under way; if not, the status line says why."""
+        try:
+            self._before()
+            self._task = MeshTask(layer_mesh.prepare(self._mesh_object), self._progressed,
+                                  self._done, self._failed, self._stopped, self._canvas)
+        except (ValueError, RuntimeError, CoreMissing) as error:
+            self.fail(str(error))
+            return False
+        self._button.setText(tr("Stop"))
+        self._bar.setRange(0, 0)
+        self._bar.show()
+        self._task.start()
+        return True
+
+    def abandon(self) -> None:
+        """Ends a run without a further word."""
+        if self._task is not None:
+            self._task.abandon()
+            self._task = None
+
+    def _start_or_stop(self) -> None:
+        if self._task is None:
+            self.start()
+        else:
+            self._task.stop()
+
+    def _progressed(self, progress: Progress) -> None:
+        busy = progress.patch < 0 or progress.grown
+        if busy != (self._bar.maximum() == 0):
+            self._bar.setRange(0, 0 if busy else _STEPS)
+        if not busy:
+            self._bar.setValue(int(_STEPS * progress.share))
+        self.say(status_text(progress))
+
+    def _done(self, outcome: Outcome) -> None:
+        seconds = self._end()
+        self.say(summary(outcome, seconds))
+        self._on_done(outcome)
+        self._on_end(True)
+
+    def _failed(self, reason: str) -> None:
+        self._end()
+        self.fail(reason)
+        self._on_end(False)
+
+    def _stopped(self) -> None:
+        self._end()
+        self.say(tr("Stopped; the mesh is the one before."))
+        self._on_end(False)
+
+    def _end(self) -> float:
+        seconds = self._task.progress.seconds
+        self._task = None
+        self._button.setText(tr("Mesh"))
+        self._bar.hide()
+        return seconds
+
+
+def status_text(progress: Progress) -> str:
+    if progress.patch < 0:
+        return tr("Triangulating · {seconds:.1f} s").format(seconds=progress.seconds)
+    stage = tr("Finishing the core")
+    if not progress.grown:
+        stage = tr("Patch {patch} of {patches} · layer {layer}").format(
+            patch=progress.patch + 1, patches=max(progress.patches, progress.patch + 1),
+            layer=progress.layer)
+    text = tr("{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s")
+    return text.format(
+        stage=stage, elements=progress.elements, percent=progress.quad_percent,
+        seconds=progress.seconds)
+
+
+def summary(outcome: Outcome, seconds: float) -> str:
+    figures = outcome.mesh.figures
+    line = tr("{quads} quads and {triangles} triangles ({percent:.1f} % quads) in "
+              "{seconds:.1f} s").format(
+        quads=figures["quads"], triangles=figures["triangles"],
+        percent=figures["quad_percent"], seconds=seconds)
+    grave = [entry["text"] for entry in outcome.mesh.diagnostics if entry["severity"] == "error"]
+    return "\n".join([line] + grave[:5])

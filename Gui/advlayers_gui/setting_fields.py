@@ -1,0 +1,242 @@
+"""Widgets for settings of the table: one kind of field for each kind of setting."""
+from __future__ import annotations
+
+from typing import Any, Callable, Iterable, List, Optional
+
+import FreeCADGui
+from PySide import QtGui
+
+from advlayers.properties import from_property, property_name, to_property, unset_value
+from advlayers.settings_table import Setting
+from advlayers_gui.resources import tr
+
+_HIGHEST = 1e9  # where a setting has no bound of its own
+_HIGHEST_NUMBER = 1000.0  # of numbers without a unit: growths and ratios
+_MOST = 1_000_000
+
+
+class Field:
+    """One setting in a widget. `value` is as a job has it."""
+
+    def __init__(self, entry: Setting, widget) -> None:
+        self.entry, self.widget = entry, widget
+        widget.setToolTip(entry.doc)
+
+    def value(self) -> Any:
+        raise NotImplementedError
+
+    def show(self, value: Any) -> None:
+        raise NotImplementedError
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        """Calls when the user is done with an entry."""
+        raise NotImplementedError
+
+    def bind(self, document_object) -> None:
+        """Offers expressions, where the widget can."""
+
+
+class QuantityField(Field):
+    """Lengths and angles, in the user's units."""
+
+    def __init__(self, entry: Setting) -> None:
+        super().__init__(entry, _quantity_box())
+        self.widget.setProperty("unit", entry.unit)
+        self.widget.setProperty("minimum", entry.low if entry.low is not None else -_HIGHEST)
+        self.widget.setProperty("maximum", entry.high if entry.high is not None else _HIGHEST)
+        self.widget.setProperty("keyboardTracking", False)
+
+    def value(self) -> float:
+        return float(self.widget.property("rawValue"))
+
+    def show(self, value: float) -> None:
+        self.widget.setProperty("rawValue", float(value))
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        self.widget.editingFinished.connect(act)
+
+    def bind(self, document_object) -> None:
+        FreeCADGui.ExpressionBinding(self.widget).bind(document_object, property_name(self.entry))
+
+
+def _quantity_box():
+    """FreeCAD may hand out the Python object of an earlier box that is deleted, where the new one
+    has its address; while the new one is kept, the next has another address."""
+    while True:
+        made = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        try:
+            made.objectName()
+        except RuntimeError:
+            continue
+        return made
+
+
+class NumberField(Field):
+    """Numbers without a unit."""
+
+    def __init__(self, entry: Setting) -> None:
+        super().__init__(entry, QtGui.QDoubleSpinBox())
+        self.widget.setDecimals(4)
+        self.widget.setSingleStep(0.05)
+        self.widget.setRange(entry.low if entry.low is not None else -_HIGHEST_NUMBER,
+                             entry.high if entry.high is not None else _HIGHEST_NUMBER)
+        self.widget.setKeyboardTracking(False)
+
+    def value(self) -> float:
+        return self.widget.value()
+
+    def show(self, value: float) -> None:
+        self.widget.setValue(value)
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        self.widget.valueChanged.connect(lambda _value: act())
+
+
+class CountField(NumberField):
+    """Whole numbers."""
+
+    def __init__(self, entry: Setting) -> None:
+        Field.__init__(self, entry, QtGui.QSpinBox())
+        self.widget.setRange(int(entry.low or 0), _MOST)
+        self.widget.setKeyboardTracking(False)
+
+    def show(self, value: float) -> None:
+        self.widget.setValue(int(value))
+
+
+class LayersField(Field):
+    """A number of layers, or the way in which they end by themselves."""
+
+    def __init__(self, entry: Setting) -> None:
+        super().__init__(entry, QtGui.QWidget())
+        self.choice, self.number = QtGui.QComboBox(), QtGui.QSpinBox()
+        self.choice.addItems([tr("Until the fronts meet"),
+                              tr("Until isotropic"),
+                              tr("Number")])
+        self.number.setRange(1, _MOST)
+        self.number.setKeyboardTracking(False)
+        self.choice.setMinimumContentsLength(6)
+        self.choice.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.choice.setObjectName("LayersEnd")
+        self.number.setObjectName("LayersNumber")
+        row = QtGui.QHBoxLayout(self.widget)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.choice, 1)
+        row.addWidget(self.number)
+        self.choice.currentIndexChanged.connect(
+            lambda index: self.number.setVisible(index == 2))
+
+    def value(self) -> Any:
+        return (0, "isotropic", self.number.value())[self.choice.currentIndex()]
+
+    def show(self, value: Any) -> None:
+        self.choice.setCurrentIndex(1 if value == "isotropic" else 2 if value else 0)
+        self.number.setVisible(self.choice.currentIndex() == 2)
+        if isinstance(value, int) and value > 0:
+            self.number.setValue(value)
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        self.choice.currentIndexChanged.connect(lambda _index: act())
+        self.number.valueChanged.connect(lambda _value: act())
+
+
+class ChoiceField(Field):
+    def __init__(self, entry: Setting) -> None:
+        super().__init__(entry, QtGui.QComboBox())
+        self.widget.addItems(list(entry.choices))
+
+    def value(self) -> str:
+        return self.widget.currentText()
+
+    def show(self, value: str) -> None:
+        self.widget.setCurrentIndex(self.entry.choices.index(value))
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        self.widget.currentIndexChanged.connect(lambda _index: act())
+
+
+class FlagField(Field):
+    def __init__(self, entry: Setting) -> None:
+        super().__init__(entry, QtGui.QCheckBox())
+
+    def value(self) -> bool:
+        return self.widget.isChecked()
+
+    def show(self, value: bool) -> None:
+        self.widget.setChecked(bool(value))
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        self.widget.toggled.connect(lambda _on: act())
+
+
+def field_for(entry: Setting) -> Field:
+    if entry.kind == "number":
+        return QuantityField(entry) if entry.unit else NumberField(entry)
+    return {"count": CountField, "layers": LayersField, "choice": ChoiceField,
+            "flag": FlagField}[entry.kind](entry)
+
+
+def label_of(entry: Setting) -> str:
+    """ "First height" of "first_height"."""
+    return tr(entry.key.replace("_", " ").capitalize())
+
+
+class SettingsForm:
+    """Rows of fields that show and change the properties of one document object."""
+
+    def __init__(self, document_object, entries: Iterable[Setting], layout,
+                 on_edited: Callable[[], None], optional: bool = False) -> None:
+        """`optional`: each row has a box to tick for a value that is given."""
+        self._object, self._on_edited = document_object, on_edited
+        layout.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+        self._fields: List[Field] = []
+        self._given: List[Optional[Any]] = []
+        for entry in entries:
+            self._add(entry, layout, optional)
+        self.load()
+        for field in self._fields:
+            field.on_edited(self._edited)
+            field.bind(document_object)
+
+    def _add(self, entry: Setting, layout, optional: bool) -> None:
+        field = field_for(entry)
+        name = f"{type(self._object.Proxy).__name__}_{entry.key}"
+        field.widget.setObjectName(name)
+        label = QtGui.QCheckBox(label_of(entry)) if optional else QtGui.QLabel(label_of(entry))
+        label.setToolTip(entry.doc)
+        if optional:
+            label.setObjectName(f"{name}_given")
+            label.toggled.connect(field.widget.setEnabled)
+            label.toggled.connect(lambda _on: self._edited())
+        layout.addRow(label, field.widget)
+        self._fields.append(field)
+        self._given.append(label if optional else None)
+
+    def load(self) -> None:
+        self._loading = True
+        for field, given in zip(self._fields, self._given):
+            value = from_property(field.entry, getattr(self._object, property_name(field.entry)))
+            known = given is None or value != unset_value(field.entry)
+            if given is not None:
+                given.setChecked(known)
+                field.widget.setEnabled(known)
+            if known:
+                field.show(value)
+        self._loading = False
+
+    def store(self) -> None:
+        """Writes what differs; a property that an expression rules keeps its expression."""
+        ruled = {path.lstrip(".") for path, _expression in self._object.ExpressionEngine}
+        for field, given in zip(self._fields, self._given):
+            entry, name = field.entry, property_name(field.entry)
+            if name in ruled:
+                continue
+            wanted = unset_value(entry) if given is not None and not given.isChecked() \
+                else field.value()
+            if from_property(entry, getattr(self._object, name)) != wanted:
+                setattr(self._object, name, to_property(entry, wanted))
+
+    def _edited(self) -> None:
+        if not self._loading:
+            self.store()
+            self._on_edited()
