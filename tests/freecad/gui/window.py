@@ -17,6 +17,20 @@ def events(seconds=0.05):
         time.sleep(0.005)
 
 
+def wait_for(condition, seconds=60.0):
+    """Lets the window live until the condition holds. Returns the longest time that the event
+    loop was kept waiting."""
+    end = time.monotonic() + seconds
+    longest = 0.0
+    while not condition():
+        assert time.monotonic() < end, "it never came about"
+        start = time.monotonic()
+        QtGui.QApplication.processEvents()
+        longest = max(longest, time.monotonic() - start)
+        time.sleep(0.002)
+    return longest
+
+
 def screenshot(name):
     """Of the whole screen: a widget's own grab leaves the 3D view blank in some versions."""
     os.makedirs(PICTURES, exist_ok=True)
@@ -40,14 +54,67 @@ def run(name):
     events()
 
 
-def close_panel():
-    """Presses OK where a task panel is open."""
+def edit(document_object):
+    """Opens the panel of an object, as a double click does."""
+    assert document_object.ViewObject.Proxy.doubleClicked(document_object.ViewObject)
+    events()
+    assert FreeCADGui.Control.activeDialog()
+
+
+def panel_of(document_object):
+    return document_object.ViewObject.Proxy.panel
+
+
+def child(kind, name):
+    """A widget of the open panel."""
+    found = [widget for widget in FreeCADGui.getMainWindow().findChildren(kind, name)]
+    assert found, name
+    return found[-1]
+
+
+def click(name):
+    child(QtGui.QAbstractButton, name).click()
+    events()
+
+
+def status():
+    return child(QtGui.QLabel, "AdvLayersStatus").text()
+
+
+def mesh_until_done(mesh_object):
+    """Presses Mesh and waits for the end of the run."""
+    panel = panel_of(mesh_object)
+    click("AdvLayersMeshButton")
+    longest = wait_for(lambda: not panel.meshing and not panel.scene.busy)
+    events()
+    return longest
+
+
+def press(standard_button):
+    """Presses a button of the task panel."""
     for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
-        button = box.button(QtGui.QDialogButtonBox.Ok)
-        if FreeCADGui.Control.activeDialog() and button is not None and button.isVisible():
+        button = box.button(standard_button)
+        if button is not None and button.isVisible():
             button.click()
             events()
             return
+    raise AssertionError("no such button in the task panel")
+
+
+def press_ok():
+    press(QtGui.QDialogButtonBox.Ok)
+    wait_for(lambda: not FreeCADGui.Control.activeDialog())
+
+
+def press_cancel():
+    press(QtGui.QDialogButtonBox.Cancel)
+    assert not FreeCADGui.Control.activeDialog()
+
+
+def close_panel():
+    """Presses OK where a task panel is open."""
+    if FreeCADGui.Control.activeDialog():
+        press_ok()
 
 
 def answer_message(seen):
@@ -60,3 +127,16 @@ def answer_message(seen):
         seen.append(message.text())
         message.close()
     QtCore.QTimer.singleShot(50, close)
+
+
+def report_lines():
+    """What the report view shows."""
+    view = FreeCADGui.getMainWindow().findChild(QtGui.QTextEdit, "Report view")
+    return view.toPlainText().splitlines()
+
+
+def errors_since(count):
+    """Lines of the report view after the first `count` that tell of trouble."""
+    words = ("error", "exception", "traceback", "advancing layers:")
+    return [line for line in report_lines()[count:]
+            if any(word in line.lower() for word in words)]

@@ -1,6 +1,6 @@
-"""A NACA 0018 wing with a sharp trailing edge, meshed in layers from all its edges.
+"""Builds the NACA 0018 wing with a sharp trailing edge, and a batch job that meshes it.
 
-Run it as a macro, or `freecadcmd wing.FCMacro`. write_demo() writes a batch job of the same.
+Runs in FreeCAD: `write_demo("out")` from freecadcmd, or open it as a macro to see the wing.
 """
 import json
 import math
@@ -8,8 +8,6 @@ import os
 
 import FreeCAD
 import Part
-
-import advlayers
 
 CHORD, SPAN, THICKNESS = 1000.0, 1500.0, 0.18  # mm, mm, of the chord
 SIZE, FIRST_HEIGHT, GROWTH = 65.0, 7.0, 1.1
@@ -56,20 +54,5 @@ def write_demo(folder):
         json.dump(job, file, indent=1)
 
 
-def make(document):
-    """Adds the wing and its mesh to the document; returns the mesh object."""
-    feature = document.addObject("Part::Feature", "Wing")
-    feature.Shape = wing()
-    document.recompute()
-    mesh = advlayers.make_layer_mesh(
-        feature, mesh_now=False, size=SIZE, first_height=FIRST_HEIGHT, growth=GROWTH)
-    tips = [f"Face{i}" for i, face in enumerate(feature.Shape.Faces, 1)
-            if isinstance(face.Surface, Part.Plane)]
-    advlayers.make_group(mesh, "tips", tips)
-    advlayers.update(mesh)
-    document.recompute()
-    return mesh
-
-
-if __name__ == "__main__":
-    make(FreeCAD.newDocument("Wing"))
+if FreeCAD.GuiUp:
+    Part.show(wing(), "Wing")

@@ -1,0 +1,272 @@
+"""The panel of a layer mesh: settings, the run and its pictures, OK, Stop and Cancel."""
+import time
+
+import advlayers
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtGui
+
+from advlayers import layer_mesh
+from advlayers.settings_table import MESH_SETTINGS
+from window import (
+    child, click, edit, events, mesh_until_done, panel_of, press, press_cancel, press_ok, run,
+    screenshot, select, status, wait_for)
+
+FINE = {"size": 0.12, "first_height": 0.02, "layers": 3}  # some 10 s
+
+
+@pytest.fixture
+def opened(box):
+    """The mesh object of the box, with its panel open."""
+    select((box, ""))
+    run("LayerMesh")
+    return box.Document.getObject("LayerMesh")
+
+
+def state_of(document):
+    """Everything that a user could tell to have changed."""
+    return {f"{entry.Name}.{name}: {getattr(entry, name)}"
+            for entry in document.Objects for name in entry.PropertiesList
+            if name not in ("FemMesh", "Proxy", "Shape")}
+
+
+def test_the_mesh_comes_with_ok(opened):
+    assert opened.State == layer_mesh.NOT_MESHED
+    mesh_until_done(opened)
+    assert opened.FemMesh.NodeCount == 0  # the document has it with OK
+    text = status()
+    assert "quads" in text
+    press_ok()
+    assert opened.State == layer_mesh.UP_TO_DATE
+    assert opened.FemMesh.QuadrangleCount == opened.QuadCount > 0
+    assert str(opened.QuadCount) in text
+    assert opened.ViewObject.Visibility and not opened.Part.ViewObject.Visibility
+
+
+def test_ok_meshes_what_was_not_meshed(opened):
+    press_ok()
+    assert opened.State == layer_mesh.UP_TO_DATE and opened.FemMesh.QuadrangleCount > 0
+
+
+def test_every_setting_can_be_reached(opened):
+    names = [entry.key for entry in MESH_SETTINGS if entry.property and entry.key != "faces"]
+    for key in names:
+        assert child(QtGui.QWidget, f"LayerMesh_{key}").toolTip()
+    advanced = child(QtGui.QGroupBox, "AdvLayersAdvanced")
+    assert not child(QtGui.QWidget, "LayerMesh_threads").isVisible()
+    advanced.setChecked(True)
+    events()
+    assert child(QtGui.QWidget, "LayerMesh_threads").isVisible()
+    child(QtGui.QSpinBox, "LayerMesh_threads").setValue(1)
+    child(QtGui.QComboBox, "LayersEnd").setCurrentIndex(2)
+    child(QtGui.QSpinBox, "LayersNumber").setValue(2)
+    child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", 4.0)
+    mesh_until_done(opened)
+    press_ok()
+    assert (opened.Threads, opened.Layers, opened.Size.Value) == (1, "2", 4.0)
+    names = [opened.FemMesh.getGroupName(i) for i in opened.FemMesh.Groups]
+    assert "Layer2" in names and "Layer3" not in names
+
+
+def test_an_expression_rules_a_field(opened, box):
+    opened.setExpression("Size", "Box.Length / 10")
+    box.Document.recompute()
+    child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", 7.0)
+    press_ok()
+    assert opened.Size.Value == pytest.approx(3.0)
+    assert dict(opened.ExpressionEngine)["Size"]
+
+
+def test_layers_are_drawn_as_they_grow(opened):
+    child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", 1.0)
+    child(QtGui.QWidget, "LayerMesh_first_height").setProperty("rawValue", 0.1)
+    panel = panel_of(opened)
+    shown, texts = [], set()
+
+    def watch():
+        if panel.meshing and not panel.scene.busy:
+            if panel.scene.layer_element_count > (shown[-1] if shown else 0):
+                shown.append(panel.scene.layer_element_count)
+                if len(shown) == 3:
+                    screenshot("growing.png")
+        texts.add(status())
+        return not panel.meshing
+
+    click("AdvLayersMeshButton")
+    assert child(QtGui.QPushButton, "AdvLayersMeshButton").text() == "Stop"
+    wait_for(watch)
+    assert len(shown) >= 3
+    assert any("layer" in text and "elements" in text and "% quads" in text for text in texts)
+    wait_for(lambda: not panel.scene.busy)
+    press_ok()
+    assert shown[-1] <= opened.FemMesh.FaceCount
+
+
+def test_stop_takes_effect_at_once(opened):
+    for name, value in (("size", FINE["size"]), ("first_height", FINE["first_height"])):
+        child(QtGui.QWidget, f"LayerMesh_{name}").setProperty("rawValue", value)
+    panel = panel_of(opened)
+    for wait in (0.1, 0.5, 1.5):
+        click("AdvLayersMeshButton")
+        events(wait)
+        assert panel.meshing
+        start = time.monotonic()
+        click("AdvLayersMeshButton")
+        wait_for(lambda: not panel.meshing)
+        assert time.monotonic() - start < 0.1 + 0.05 + 0.05  # and what the test itself waits
+        assert "Stopped" in status()
+        assert child(QtGui.QPushButton, "AdvLayersMeshButton").text() == "Mesh"
+    press_cancel()
+
+
+def test_cancel_takes_the_new_object_away(opened, box):
+    mesh_until_done(opened)
+    press_cancel()
+    assert [entry.Name for entry in box.Document.Objects] == ["Box"]
+    assert box.ViewObject.Visibility
+
+
+def test_cancel_of_a_later_edit_restores_everything(box):
+    made = advlayers.make_layer_mesh(box, size=5.0, walls=[{"edges": ["Edge1"]}])
+    events()
+    before, nodes = state_of(box.Document), made.FemMesh.Nodes
+    edit(made)
+    child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", 2.5)
+    child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(1)
+    select((box, "Edge2"))
+    click("AdvLayersAddWall")
+    click("AdvLayersAddGroup")
+    child(QtGui.QTableWidget, "AdvLayersConditions").selectRow(0)
+    click("AdvLayersRemoveControl")
+    mesh_until_done(made)
+    press_cancel()
+    assert state_of(box.Document) ^ before == set()
+    assert made.FemMesh.Nodes == nodes
+    assert made.State == layer_mesh.UP_TO_DATE
+
+
+def test_cancel_after_work_in_another_document(box):
+    made = advlayers.make_layer_mesh(box, size=5.0)
+    events()
+    before = state_of(box.Document)
+    edit(made)
+    made.Size = 3.0
+    other = FreeCAD.newDocument("Other")
+    other.openTransaction("elsewhere")
+    other.addObject("Part::Box", "There")
+    other.commitTransaction()
+    press_cancel()
+    assert state_of(box.Document) ^ before == set()
+    assert [entry.Name for entry in other.Objects] == ["There"]
+    FreeCAD.closeDocument("Other")
+
+
+def test_cancel_while_meshing_closes_at_once(box):
+    made = advlayers.make_layer_mesh(box, size=5.0)
+    events()
+    before, nodes = state_of(box.Document), made.FemMesh.Nodes
+    edit(made)
+    for name, value in (("size", FINE["size"]), ("first_height", FINE["first_height"])):
+        child(QtGui.QWidget, f"LayerMesh_{name}").setProperty("rawValue", value)
+    click("AdvLayersMeshButton")
+    events(0.3)
+    start = time.monotonic()
+    press_cancel()
+    assert time.monotonic() - start < 0.5
+    events(0.3)
+    assert state_of(box.Document) ^ before == set()
+    assert made.FemMesh.Nodes == nodes
+
+
+def test_closing_the_document_while_meshing(opened):
+    document, panel = opened.Document, panel_of(opened)
+    child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", FINE["size"])
+    click("AdvLayersMeshButton")
+    events(0.3)
+    assert panel.meshing
+    FreeCAD.closeDocument(document.Name)
+    events(0.3)
+    assert not panel.meshing
+    assert not FreeCADGui.Control.activeDialog()
+
+
+def test_deleting_the_object_while_meshing(opened, box):
+    panel = panel_of(opened)
+    child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", FINE["size"])
+    click("AdvLayersMeshButton")
+    events(0.2)
+    box.Document.removeObject(opened.Name)
+    events(0.3)
+    assert not panel.meshing
+    assert not FreeCADGui.Control.activeDialog()
+
+
+def test_two_documents_at_once(opened, box):
+    """One is meshed while a user works in the other; each keeps what is its own."""
+    panel = panel_of(opened)
+    child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", 0.6)
+    click("AdvLayersMeshButton")
+    other = FreeCAD.newDocument("Other")
+    there = other.addObject("Part::Cylinder", "Cylinder")
+    other.recompute()
+    meshed = advlayers.make_layer_mesh(there, size=1.0)
+    assert FreeCAD.ActiveDocument is other
+    wait_for(lambda: not panel.meshing and not panel.scene.busy)
+    press_ok()
+    assert opened.State == layer_mesh.UP_TO_DATE and meshed.State == layer_mesh.UP_TO_DATE
+    assert opened.FemMesh.QuadrangleCount == opened.QuadCount
+    assert meshed.FemMesh.QuadrangleCount == meshed.QuadCount
+    assert len(other.Objects) == 2 and len(box.Document.Objects) == 2
+    FreeCAD.closeDocument("Other")
+    assert opened.FemMesh.QuadrangleCount == opened.QuadCount
+
+
+def test_every_error_shows_in_the_panel(opened, box, monkeypatch):
+    from advlayers import core_access
+    from advlayers.errors import CoreMissing
+    from advlayers_gui import mesh_task
+
+    opened.Growth = 0.5
+    click("AdvLayersMeshButton")  # the field brings growth back into its range
+    wait_for(lambda: not panel_of(opened).meshing)
+    opened.Faces = ["Face99"]
+    click("AdvLayersMeshButton")
+    assert "Face99" in status()
+    opened.Faces = []
+    child(QtGui.QWidget, "LayerMesh_first_height").setProperty("rawValue", 0.0)
+    click("AdvLayersMeshButton")
+    assert "first_height must be > 0 mm" in status()
+    child(QtGui.QWidget, "LayerMesh_first_height").setProperty("rawValue", 0.5)
+    part, opened.Part = opened.Part, None
+    click("AdvLayersMeshButton")
+    assert "nothing to mesh" in status()
+    opened.Part = part
+
+    def missing():
+        raise CoreMissing('the meshing core is not built: run "./dev build"')
+
+    monkeypatch.setattr(mesh_task, "load_core", missing)
+    click("AdvLayersMeshButton")
+    assert "./dev build" in status()
+    monkeypatch.setattr(mesh_task, "load_core", core_access.load_core)
+
+    class Broken:
+        def __getattr__(self, name):
+            raise RuntimeError("the shape is broken")
+
+    monkeypatch.setattr(mesh_task, "load_core", Broken)
+    click("AdvLayersMeshButton")
+    wait_for(lambda: not panel_of(opened).meshing)
+    assert "the shape is broken" in status()
+    assert FreeCADGui.Control.activeDialog()
+    press(QtGui.QDialogButtonBox.Cancel)
+    assert [entry.Name for entry in box.Document.Objects] == ["Box"]
+
+
+def test_one_panel_at_a_time(opened, box):
+    panel = panel_of(opened)
+    opened.ViewObject.Proxy.doubleClicked(opened.ViewObject)
+    events()
+    assert panel_of(opened) is panel
+    press(QtGui.QDialogButtonBox.Cancel)
