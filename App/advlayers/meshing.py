@@ -40,12 +40,12 @@ class Run:
     stays free for Ctrl-C, a progress line or a window's events.
 
     What is handed in runs in that thread: `make_mesher` reads and checks; `on_layer` gets the
-    mesher and each report; `on_mesh` gets the finished mesh and a check() that raises once the
-    run was cancelled, and what it returns is the outcome of the run.
+    mesher and each report, `on_mesh` the finished mesh, and both a check() that raises once the run
+    was cancelled. What `on_mesh` returns is the outcome of the run.
     """
 
     def __init__(self, make_mesher: Callable[[], Any],
-                 on_layer: Optional[Callable[[Any, Any], None]] = None,
+                 on_layer: Optional[Callable[[Any, Any, Callable[[], None]], None]] = None,
                  on_mesh: Optional[Callable[[Any, Callable[[], None]], Any]] = None) -> None:
         self._make_mesher, self._on_layer, self._on_mesh = make_mesher, on_layer, on_mesh
         self._mesher: Any = None
@@ -117,7 +117,7 @@ class Run:
             for report in self._mesher:
                 self._reports.put(report)
                 if self._on_layer:
-                    self._on_layer(self._mesher, report)
+                    self._on_layer(self._mesher, report, self._check)
                 self._check()
             self._grown.set()
             mesh = self._mesher.result()
