@@ -1,7 +1,7 @@
 """A mesh in the 3D view, coloured by one of its fields, with a legend and marks."""
 from __future__ import annotations
 
-from typing import Any, Iterable, List
+from typing import Any, Iterable, Iterator
 
 import numpy as np
 from pivy import coin
@@ -59,10 +59,10 @@ class FieldScene:
                 self._marks.addChild(markers(points, _SEVERITY_COLOURS[severity]))
 
 
-def growing_pieces(mesh: ElementMesh) -> List[Piece]:
+def growing_pieces(mesh: ElementMesh) -> Iterator[Piece]:
     """A mesh that still grows, by layer; may run in any thread."""
     highest = int(np.max(mesh.layers, initial=1))
-    return list(pieces_of(mesh, colours.layer_colours(mesh.layers, highest)))
+    return pieces_of(mesh, colours.layer_colours(mesh.layers, highest))
 
 
 def _scale(field: str, values) -> colours.Scale:

@@ -4,7 +4,7 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Callable, Dict, Iterable, List, Optional
 
 from PySide import QtCore
 
@@ -86,11 +86,11 @@ class Canvas:
 
     busy = False  # not ready for the next picture
 
-    def prepare(self, mesh: ElementMesh) -> Any:
-        """Makes a picture; called in the worker."""
+    def prepare(self, mesh: ElementMesh) -> Iterable[Any]:
+        """Makes a picture, in pieces between which the run may be stopped; in the worker."""
         raise NotImplementedError
 
-    def draw(self, picture: Any) -> None:
+    def draw(self, picture: List[Any]) -> None:
         """Called in the window's thread."""
         raise NotImplementedError
 
@@ -172,7 +172,7 @@ class MeshTask:
 class _Pictures:
     """Hands the growing mesh from the worker to the window: the newest alone, now and then."""
 
-    def __init__(self, prepare: Callable[[ElementMesh], Any]) -> None:
+    def __init__(self, prepare: Callable[[ElementMesh], Iterable[Any]]) -> None:
         self._prepare, self._rate = prepare, preferences.preview_rate()
         self._lock = threading.Lock()
         self._newest: Any = None
@@ -184,7 +184,7 @@ class _Pictures:
         self._cost = 0.0  # [s] of the last picture, in both threads
         self._last_patch = -1
 
-    def offer(self, mesher, report) -> None:
+    def offer(self, mesher, report, check: Callable[[], None]) -> None:
         """In the worker. All patches grow by one layer before the first of them reports it."""
         start = time.monotonic()
         if self._last_patch < 0:
@@ -195,7 +195,10 @@ class _Pictures:
         waits = self._patience > 0.0 and self._round >= self._next_wait
         if not new_round or (start < self._due and not waits):
             return
-        picture = self._prepare(of_core(mesher.snapshot()))
+        picture = []
+        for piece in self._prepare(of_core(mesher.snapshot())):
+            check()
+            picture.append(piece)
         self._taken.clear()
         with self._lock:
             self._newest = picture

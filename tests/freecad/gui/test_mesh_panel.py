@@ -107,16 +107,18 @@ def test_stop_takes_effect_at_once(opened):
     for name, value in (("size", FINE["size"]), ("first_height", FINE["first_height"])):
         child(QtGui.QWidget, f"LayerMesh_{name}").setProperty("rawValue", value)
     panel = panel_of(opened)
+    took = []
     for wait in (0.1, 0.5, 1.5):
         click("AdvLayersMeshButton")
         events(wait)
         assert panel.meshing
         start = time.monotonic()
-        click("AdvLayersMeshButton")
+        child(QtGui.QPushButton, "AdvLayersMeshButton").click()
         wait_for(lambda: not panel.meshing)
-        assert time.monotonic() - start < 0.1 + 0.05 + 0.05  # and what the test itself waits
+        took.append(time.monotonic() - start)
         assert "Stopped" in status()
         assert child(QtGui.QPushButton, "AdvLayersMeshButton").text() == "Mesh"
+    assert sorted(took)[1] < 0.1 and max(took) < 0.3, took  # a loaded machine may be late once
     press_cancel()
 
 
