@@ -12,10 +12,20 @@ class AdvancingLayersWorkbench(FreeCADGui.Workbench):
 
     def __init__(self):
         import os
+        import FreeCAD
+        import FreeCADGui
         import advlayers
 
         root = os.path.dirname(os.path.dirname(os.path.dirname(advlayers.__file__)))
-        self.__class__.Icon = os.path.join(root, "Resources", "icons", "AdvancingLayers.svg")
+        resources = os.path.join(root, "Resources")
+        self.__class__.Icon = os.path.join(resources, "icons", "AdvancingLayers.svg")
+        # Here, not in Initialize: the preferences may be opened before the workbench.
+        FreeCADGui.addIconPath(os.path.join(resources, "icons"))
+        FreeCADGui.addLanguagePath(os.path.join(resources, "translations"))
+        FreeCADGui.updateLocale()
+        FreeCADGui.addPreferencePage(os.path.join(resources, "ui", "preferences.ui"),
+                                     "Advancing Layers")
+        FreeCAD.__unit_test__ += ["advlayers_gui.selftest"]
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
@@ -26,6 +36,13 @@ class AdvancingLayersWorkbench(FreeCADGui.Workbench):
         names = commands.register()
         self.appendToolbar("Advancing Layers", names)
         self.appendMenu("Advancing Layers", names)
+
+    def Activated(self):
+        import FreeCAD
+        from advlayers import revive
+
+        for document in FreeCAD.listDocuments().values():
+            revive.revive(document)
 
     def ContextMenu(self, _recipient):
         from advlayers_gui import commands

@@ -14,12 +14,13 @@ from advlayers.errors import InputError
 from advlayers.face_edges import FaceEdges
 from advlayers.picked_names import link_value, names_on
 from advlayers.properties import (
-    HIDDEN, add_setting, from_property, plain_values, property_name, to_property, unset_value)
+    HIDDEN, add_setting, from_property, plain_values, property_name, to_property)
 from advlayers.proxy import Stateless, attach_view
 from advlayers.references import Picker, Problem, remembered
 from advlayers.references import problems as reference_problems
 from advlayers.settings_check import check_all
-from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS, Setting
+from advlayers.settings_table import (
+    SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, unset_value)
 
 CONDITIONS = ("Wall", "Match", "Off")
 _REFERENCES = "References"
@@ -53,7 +54,7 @@ class Control(Stateless):
         document_object.setEditorMode(_PICKED, HIDDEN)
         for entry in value_settings(self.TABLE):
             name = property_name(entry)
-            add_setting(document_object, entry, type(self).__name__, _tooltip(entry))
+            add_setting(document_object, entry, type(self).__name__, optional_doc(entry))
             if name not in present:
                 setattr(document_object, name, unset_value(entry))
 
@@ -205,11 +206,6 @@ def _condition(value: str) -> str:
 def _sort(name: str) -> str:
     """"Face", "Edge" or "Vertex", also of a name that the model has lost ("?Face1")."""
     return name.lstrip("?").rstrip("0123456789")
-
-
-def _tooltip(entry: Setting) -> str:
-    unset = unset_value(entry)
-    return f"{entry.doc} {'Empty' if unset == '' else unset}: not given."
 
 
 def remember(control, anew: bool = False) -> None:

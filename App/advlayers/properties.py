@@ -1,7 +1,7 @@
 """Settings of the table as FreeCAD properties, and back."""
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Mapping, Union
+from typing import Any, Dict, Iterable, Mapping
 
 import FreeCAD
 
@@ -23,14 +23,6 @@ def property_type(entry: Setting) -> str:
     if entry.property_type:
         return entry.property_type
     return _NUMBERS[entry.unit] if entry.kind == "number" else _TYPES[entry.kind]
-
-
-def unset_value(entry: Setting) -> Union[str, int]:
-    """What stands in a property for a value that is not given: out of the setting's range."""
-    if entry.kind == "layers":
-        return ""
-    zero_allowed = entry.low is None or (entry.low <= 0.0 and not entry.low_open)
-    return -1 if zero_allowed else 0
 
 
 def add_setting(document_object, entry: Setting, group: str, doc: str) -> None:

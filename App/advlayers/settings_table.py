@@ -5,7 +5,7 @@ Lengths are in mm and angles in degrees throughout.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Tuple
+from typing import Any, Optional, Tuple, Union
 
 
 @dataclass(frozen=True)
@@ -169,3 +169,17 @@ def range_text(entry: Setting) -> str:
     if entry.high is not None:
         bounds.append(f"{'<' if entry.high_open else '<='} {entry.high:g}")
     return " and ".join(bounds) + unit if bounds else ""
+
+
+def unset_value(entry: Setting) -> Union[str, int]:
+    """What stands in a property for a value that is not given: out of the setting's range."""
+    if entry.kind == "layers":
+        return ""
+    zero_allowed = entry.low is None or (entry.low <= 0.0 and not entry.low_open)
+    return -1 if zero_allowed else 0
+
+
+def optional_doc(entry: Setting) -> str:
+    """The tooltip of a value that need not be given."""
+    unset = unset_value(entry)
+    return f"{entry.doc} {'Empty' if unset == '' else unset}: not given."

@@ -48,6 +48,8 @@ class EditedInPanel:
 class LayerMeshView(Stateless, EditedInPanel, FieldView):
     """View provider of a layer mesh."""
 
+    _object = None
+
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
 
@@ -69,6 +71,8 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
 
 class ControlView(Stateless, EditedInPanel):
     """View provider of a wall, a size or a group."""
+
+    _object = None
 
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
@@ -98,3 +102,6 @@ def attach_to(document_object) -> None:
         view_object.MaxFacesShowInner = 0
         # The mesh's own edges show what was made; the shape below would hide half of it.
         view_object.ShapeColor = (0.80, 0.87, 0.95)
+    # FreeCAD attaches the first provider of an object, and no later one.
+    if view_object.Proxy._object is None:
+        view_object.Proxy.attach(view_object)

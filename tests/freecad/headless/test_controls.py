@@ -4,8 +4,8 @@ import FreeCAD
 import pytest
 from advlayers import controls, layer_mesh
 from advlayers.errors import InputError
-from advlayers.properties import property_name, unset_value
-from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS
+from advlayers.properties import property_name
+from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS, unset_value
 
 
 @pytest.fixture

@@ -1,0 +1,132 @@
+"""Collects the texts of the window into Resources/translations/*.ts and compiles them to *.qm.
+
+Run by `./dev translations`. Qt's own collector reads neither the table of settings, whose sentences
+are tooltips, nor the commands' names; what it would find is found here as well. Translations that
+are there are kept. A new language: a new file advlayers_LANGUAGE.ts (or an empty one) and this
+script.
+
+The .qm files are committed: an add-on is installed as a checkout, and nothing builds it then.
+"""
+import ast
+import glob
+import os
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from xml.sax.saxutils import escape
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(ROOT, "App"))
+FOLDER = os.path.join(ROOT, "Resources", "translations")
+PROPERTY, WINDOW, WORKBENCH = "App::Property", "AdvancingLayers", "Workbench"
+
+
+def texts():
+    """Every text once: (context, source), in a fixed order."""
+    found = {(WORKBENCH, "Advancing Layers"): None}
+    for path in sorted(glob.glob(os.path.join(ROOT, "*", "advlayers*", "*.py"))):
+        with open(path, encoding="utf-8") as file:
+            found.update(dict.fromkeys(_of_code(ast.parse(file.read()))))
+    found.update(dict.fromkeys(_of_tables()))
+    for path in sorted(glob.glob(os.path.join(ROOT, "Resources", "ui", "*.ui"))):
+        found.update(dict.fromkeys(_of_form(path)))
+    return sorted(found)
+
+
+def _of_code(tree):
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            yield from _of_class(node)
+        elif isinstance(node, ast.Call):
+            name = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            if name == "tr" and node.args and _text(node.args[0]):
+                yield WINDOW, _text(node.args[0])
+            elif name == "addProperty" and len(node.args) > 3 and _text(node.args[3]):
+                yield PROPERTY, _text(node.args[3])
+        elif isinstance(node, ast.Tuple) and len(node.elts) > 2:
+            if any(_text(element).startswith("App::Property") for element in node.elts[:2]):
+                yield PROPERTY, _text(node.elts[-1])
+
+
+def _of_class(node):
+    """A command's menu text and tooltip, which FreeCAD translates by the command's name; the
+    tooltip of a child's references."""
+    texts_of = {}
+    for line in node.body:
+        if isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name):
+            texts_of[line.targets[0].id] = _text(line.value)
+    if texts_of.get("NAME"):
+        for key in ("MENU", "TOOLTIP"):
+            yield f"AdvLayers_{texts_of['NAME']}", texts_of[key]
+    if texts_of.get("REFERENCES"):
+        yield PROPERTY, texts_of["REFERENCES"]
+
+
+def _of_tables():
+    from advlayers import settings_table as table
+
+    for entry in table.MESH_SETTINGS:
+        if entry.property:
+            yield PROPERTY, entry.doc
+    for entry in table.WALL_SETTINGS + table.SIZE_SETTINGS:
+        if entry.key not in ("edges", "faces"):
+            yield PROPERTY, table.optional_doc(entry)
+
+
+def _of_form(path):
+    root = ElementTree.parse(path).getroot()
+    context = root.findtext("class")
+    for text in root.iter("string"):
+        if any(letter.isalpha() for letter in text.text or ""):
+            yield context, text.text
+
+
+def _text(node):
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
+
+
+def kept(path):
+    """The translations of a .ts file."""
+    if not os.path.exists(path) or not os.path.getsize(path):
+        return {}
+    found = {}
+    for context in ElementTree.parse(path).getroot().iter("context"):
+        for message in context.iter("message"):
+            translation = message.findtext("translation")
+            if translation:
+                found[context.findtext("name"), message.findtext("source")] = translation
+    return found
+
+
+def write(path, found, translations):
+    language = os.path.basename(path)[len("advlayers_"):-len(".ts")]
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
+             f'<TS version="2.1" language="{language}" sourcelanguage="en">']
+    contexts = sorted({context for context, _source in found})
+    for context in contexts:
+        lines += ["<context>", f"    <name>{escape(context)}</name>"]
+        for source in (source for other, source in found if other == context):
+            text = translations.get((context, source), "")
+            kind = "" if text else ' type="unfinished"'
+            lines += ["    <message>", f"        <source>{escape(source)}</source>",
+                      f"        <translation{kind}>{escape(text)}</translation>",
+                      "    </message>"]
+        lines.append("</context>")
+    lines.append("</TS>")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def main():
+    found = texts()
+    for path in sorted(glob.glob(os.path.join(FOLDER, "advlayers_*.ts"))):
+        translations = kept(path)
+        write(path, found, translations)
+        open_ones = [text for text in found if text not in translations]
+        print(f"{os.path.basename(path)}: {len(found)} texts, {len(open_ones)} not translated")
+        subprocess.run(["lrelease", "-silent", "-nounfinished", path], check=True,
+                       env={**os.environ, "QT_SELECT": "5"})
+
+
+if __name__ == "__main__":
+    main()
