@@ -29,6 +29,9 @@ _VALUES = {
     "count": "whole number",
     "layers": 'whole number or `"isotropic"`',
     "walls": '`"all"` or a list of walls',
+    "sizes": "list of sizes",
+    "refinements": "list of points",
+    "point": "list of three numbers",
     "groups": "object: name to list of names",
     "flag": "true or false",
     "text": "text",
@@ -48,6 +51,11 @@ def page():
         "## One wall of a list of walls", "", _table(table.WALL_SETTINGS, properties=False), "",
         "With a list of walls, other boundary edges that touch a wall are match edges, the "
         "rest are off; `match` and `off` override that.", "",
+        "## One size of a list of sizes", "", _table(table.SIZE_SETTINGS, properties=False), "",
+        "An edge takes its own size, or else the least of the faces beside it. Curved places stay "
+        "as fine as curvature_angle asks. A fixed number of segments and clustering hold whatever "
+        "else asks for.", "",
+        "## One point of refinement", "", _table(table.REFINEMENT_SETTINGS, properties=False), "",
         "## Output formats", "", _formats(), "",
         "Element groups: `FaceN` and `LayerN` or `Core`; node groups: `EdgeN`; and those of the "
         "setting `groups`. Nodes and elements are numbered from 1, quads before triangles.", "",

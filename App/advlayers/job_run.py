@@ -64,7 +64,7 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
 
 def _report(job: Job, cad: cad_input.Cad, mesh, seconds: Dict[str, float]) -> Dict[str, Any]:
     notes = [info("object-chosen", cad.note)] if cad.note else []
-    report = make_report(job.input_name, mesh, job.settings, notes, seconds)
+    report = make_report(job.input_name, mesh, notes, seconds)
     if job.strict:
         report["diagnostics"] += shortfalls(report)
     return report

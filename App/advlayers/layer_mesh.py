@@ -198,7 +198,7 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
     document_object.Messages = [
         f"{entry['severity']}: {entry['text']} ({entry['code']})" for entry in mesh.diagnostics]
     document_object.Details = json.dumps(
-        make_report(document_object.Part.Label, mesh, origin.settings, [], mesh.seconds))
+        make_report(document_object.Part.Label, mesh, [], mesh.seconds))
     document_object.HeightErrors = height_errors(mesh).tolist()
     document_object.NodeLayers = mesh.node_layer.tolist()
     document_object.NodeParents = mesh.node_parent.tolist()

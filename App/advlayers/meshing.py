@@ -16,7 +16,9 @@ def core_settings(core, settings: Mapping[str, Any], diagonal: float):
     if values["faces"] != "all":
         values["faces"] = list(values["faces"])
     if values["walls"] != "all":
-        values["walls"] = [_wall(wall) for wall in values["walls"]]
+        values["walls"] = [_given(wall) for wall in values["walls"]]
+    for key in ("sizes", "refinements"):
+        values[key] = [_given(entry) for entry in values[key]]
     return core.Settings(**values)
 
 
@@ -30,9 +32,9 @@ def default_lengths(settings: Mapping[str, Any], diagonal: float) -> Dict[str, f
     return {"size": size, "first_height": height}
 
 
-def _wall(wall: Mapping[str, Any]) -> Dict[str, Any]:
+def _given(entry: Mapping[str, Any]) -> Dict[str, Any]:
     return {key: list(value) if isinstance(value, tuple) else value
-            for key, value in wall.items() if value not in (None, ())}
+            for key, value in entry.items() if value not in (None, ())}
 
 
 class Run:

@@ -40,6 +40,9 @@ def to_property(entry: Setting, value: Any) -> Any:
         return str(value)
     if entry.kind == "faces":
         return [] if value == "all" else list(value)
+    if entry.kind == "refinements":
+        return [" ".join(f"{number:.17g}" for number in
+                         (*item["point"], item["size"], item["radius"])) for item in value]
     return value
 
 
@@ -50,7 +53,20 @@ def from_property(entry: Setting, value: Any) -> Any:
         return int(value) if value.strip().isdigit() else value
     if entry.kind == "faces":
         return list(value) or "all"
+    if entry.kind == "refinements":
+        return [_refinement(entry.key, text) for text in value]
     return value
+
+
+def _refinement(key: str, text: str) -> Dict[str, Any]:
+    """From "x y z size radius", the radius optional."""
+    try:
+        x, y, z, size, *radius = (float(word) for word in text.split())
+    except ValueError as error:
+        raise InputError(key, f'must hold texts like "x y z size radius", got {text!r}') from error
+    if len(radius) > 1:
+        raise InputError(key, f"holds more than five numbers: {text!r}")
+    return {"point": [x, y, z], "size": size, "radius": radius[0] if radius else 0.0}
 
 
 def plain_values(values: Mapping[str, Any], table: Iterable[Setting]) -> Dict[str, Any]:

@@ -15,13 +15,12 @@ SECONDS = ("read", "boundary", "triangulate", "layers", "core", "mesh_object", "
 HEIGHT_TOLERANCE = 0.1
 
 
-def make_report(input_name: str, mesh, settings: Mapping[str, Any],
-                notes: List[Dict[str, Any]], seconds: Mapping[str, float]) -> Dict[str, Any]:
+def make_report(input_name: str, mesh, notes: List[Dict[str, Any]],
+                seconds: Mapping[str, float]) -> Dict[str, Any]:
     report: Dict[str, Any] = {"version": advlayers.__version__, "input": input_name}
     report.update((key, mesh.figures[key]) for key in FIGURES)
     report["patches"] = list(mesh.patches)
-    report["walls"] = [{**wall, "requested_layers": _layers_asked(wall, settings)}
-                       for wall in mesh.walls]
+    report["walls"] = list(mesh.walls)
     report["diagnostics"] = list(notes) + list(mesh.diagnostics)
     report["seconds"] = {key: round(seconds.get(key, 0.0), 6) for key in SECONDS}
     return report
@@ -46,22 +45,15 @@ def shortfalls(report: Mapping[str, Any]) -> List[Dict[str, Any]]:
         wanted = wall["requested_layers"]
         if isinstance(wanted, int) and wall["layers"] < wanted:
             found.append(_shortfall(f"{name} got {wall['layers']} of {wanted} layers"))
-        mean = wall["achieved_first_height"]["mean"]
-        if abs(mean - wall["first_height"]) > HEIGHT_TOLERANCE * wall["first_height"]:
+        achieved = wall["achieved_first_height"]
+        if achieved["max"] == 0.0:
+            found.append(_shortfall(f"{name} got no layer of a height that could be measured"))
+        elif wall["height_error"] > HEIGHT_TOLERANCE:
             found.append(_shortfall(
-                f"{name} got a mean first height of {mean:.6g} mm, not {wall['first_height']:.6g}"))
+                f"{name} got first heights from {achieved['min']:.6g} to {achieved['max']:.6g} mm, "
+                f"off those asked for ({wall['first_height']:.6g} mm on average) by up to "
+                f"{100.0 * wall['height_error']:.0f} %"))
     return found
-
-
-def _layers_asked(wall: Mapping[str, Any], settings: Mapping[str, Any]):
-    """As the job has it: a number, 0 until the fronts close, or "isotropic"."""
-    layers = settings["layers"]
-    if settings["walls"] != "all":
-        for spec in settings["walls"]:
-            on_face = not spec["faces"] or wall["face"] in spec["faces"]
-            if wall["edge"] in spec["edges"] and on_face and spec["layers"] is not None:
-                layers = spec["layers"]
-    return layers
 
 
 def _shortfall(text: str) -> Dict[str, Any]:

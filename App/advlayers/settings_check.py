@@ -7,7 +7,8 @@ import re
 from typing import Any, Callable, Dict, Iterable, Mapping, Tuple
 
 from advlayers.errors import InputError
-from advlayers.settings_table import WALL_SETTINGS, Setting, range_text
+from advlayers.settings_table import (
+    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, range_text)
 
 _NAME = re.compile(r"(Face|Edge)([1-9][0-9]*)")
 # Names that the mesh gives to groups by itself.
@@ -52,6 +53,9 @@ def check_names(settings: Mapping[str, Any], faces: int, edges: int, what: str) 
         for i, wall in enumerate(settings["walls"]):
             check(f"walls[{i}].edges", wall["edges"])
             check(f"walls[{i}].faces", wall["faces"])
+    for i, size in enumerate(settings["sizes"]):
+        check(f"sizes[{i}].edges", size["edges"])
+        check(f"sizes[{i}].faces", size["faces"])
     check("match", settings["match"])
     check("off", settings["off"])
     for group, names in settings["groups"].items():
@@ -164,12 +168,32 @@ def _walls(key: str, value: Any, _entry: Setting):
         return value
     if not isinstance(value, (list, tuple)):
         raise InputError(key, f'must be "all" or a list of walls, got {_shown(value)}')
-    walls = []
-    for i, wall in enumerate(value):
-        if not isinstance(wall, dict):
-            raise InputError(f"{key}[{i}]", f"must be an object, got {_shown(wall)}")
-        walls.append(check_all(wall, WALL_SETTINGS, where=f"{key}[{i}]."))
-    return tuple(walls)
+    return _entries(key, value, WALL_SETTINGS)
+
+
+def _entries(key: str, value: Any, table: Tuple[Setting, ...]) -> Tuple[Dict, ...]:
+    if not isinstance(value, (list, tuple)):
+        raise InputError(key, f"must be a list, got {_shown(value)}")
+    entries = []
+    for i, item in enumerate(value):
+        if not isinstance(item, dict):
+            raise InputError(f"{key}[{i}]", f"must be an object, got {_shown(item)}")
+        entries.append(check_all(item, table, where=f"{key}[{i}]."))
+    return tuple(entries)
+
+
+def _sizes(key: str, value: Any, _entry: Setting) -> Tuple[Dict, ...]:
+    return _entries(key, value, SIZE_SETTINGS)
+
+
+def _refinements(key: str, value: Any, _entry: Setting) -> Tuple[Dict, ...]:
+    return _entries(key, value, REFINEMENT_SETTINGS)
+
+
+def _point(key: str, value: Any, entry: Setting) -> Tuple[float, ...]:
+    if not isinstance(value, (list, tuple)) or len(value) != 3:
+        raise InputError(key, f"must be three numbers, got {_shown(value)}")
+    return tuple(_number(f"{key}[{i}]", item, entry) for i, item in enumerate(value))
 
 
 def _groups(key: str, value: Any, _entry: Setting) -> Dict[str, Tuple[str, ...]]:
@@ -189,4 +213,5 @@ CHECKS: Dict[str, Callable[[str, Any, Setting], Any]] = {
     "number": _number, "count": _count, "layers": _layers, "choice": _choice, "flag": _flag,
     "text": _text, "path": _text, "paths": _paths, "faces": _faces, "faces_only": _faces_only,
     "edges": _edges, "walls": _walls, "groups": _groups,
+    "sizes": _sizes, "refinements": _refinements, "point": _point,
 }

@@ -56,6 +56,24 @@ MESH_SETTINGS = (
         property="CurvatureAngle", property_type="App::PropertyAngle", group="Size",
     ),
     Setting(
+        "size_growth", "number", 1.4,
+        "The most that neighbouring mesh edges differ in length where the size changes, through "
+        "the surface and along edges.",
+        low=1.0, low_open=True, high=3.0,
+        property="SizeGrowth", property_type="App::PropertyFloat", group="Size",
+    ),
+    Setting(
+        "sizes", "sizes", (),
+        "Edge lengths, numbers of segments and clustering of some edges and faces.",
+        child="Size",
+    ),
+    Setting(
+        "refinements", "refinements", (),
+        "Points about which the mesh is finer; as a property, texts of five numbers: x y z size "
+        "radius.",
+        property="Refinements", property_type="App::PropertyStringList", group="Size",
+    ),
+    Setting(
         "first_height", "number", None,
         "Height of the first layer, measured along the surface. Default: 1/10 of size.",
         unit="mm", low=0.0, low_open=True,
@@ -77,7 +95,7 @@ MESH_SETTINGS = (
     Setting(
         "walls", "walls", "all",
         "The boundary edges that layers grow from: all, or a list of walls with their own "
-        "first_height, growth and layers.",
+        "spacing.",
         child="Wall",
     ),
     Setting(
@@ -139,8 +157,32 @@ WALL_SETTINGS = (
     ),
     Setting("first_height", "number", None, "As above, for this wall.", unit="mm", low=0.0,
             low_open=True),
+    Setting(
+        "end_height", "number", None,
+        "The first height at the end of each edge; it changes linearly along the edge, from "
+        "first_height at its first vertex.",
+        unit="mm", low=0.0, low_open=True,
+    ),
+    Setting(
+        "aspect_ratio", "number", None,
+        "Instead of first_height: the length of the mesh edges along the wall over the first "
+        "height, everywhere.",
+        low=0.0, low_open=True,
+    ),
+    Setting(
+        "turning_angle", "number", None,
+        "Instead of first_height: the angle that the wall turns over a length of one first "
+        "height; the height is size where the wall is straight.",
+        unit="deg", low=0.0, low_open=True, high=90.0,
+    ),
     Setting("growth", "number", None, "As above, for this wall.", low=1.0),
     Setting("layers", "count", None, "As above, for this wall: a number.", low=0),
+    Setting(
+        "thickness", "number", None,
+        "Height of all layers together. With two of first_height, growth and layers it gives the "
+        "third; where fewer are given, the job's stand in, and layers are worked out first.",
+        unit="mm", low=0.0, low_open=True,
+    ),
 )
 
 # What one size of a list of sizes may say.
@@ -151,8 +193,22 @@ SIZE_SETTINGS = (
     Setting("segments", "count", None, "Number of mesh edges along each of the edges.", low=1),
     Setting(
         "cluster", "number", None,
-        "Ratio of the last mesh edge along a CAD edge to the first.", low=0.0, low_open=True,
+        "Ratio of the last mesh edge along a CAD edge to the first, in geometric steps.",
+        low=1e-6, high=1e6,
     ),
+    Setting(
+        "both_ends", "flag", None,
+        "Clusters towards both ends: the ratio is then that of the middle to the ends.",
+    ),
+)
+
+# What one point of refinement may say.
+REFINEMENT_SETTINGS = (
+    Setting("point", "point", None, "Its coordinates [mm].", required=True),
+    Setting("size", "number", None, "Edge length about the point; away from it, size_growth leads "
+            "back to the other sizes.", unit="mm", low=0.0, low_open=True, required=True),
+    Setting("radius", "number", 0.0, "The size holds within this distance of the point.",
+            unit="mm", low=0.0),
 )
 
 
@@ -175,6 +231,8 @@ def unset_value(entry: Setting) -> Union[str, int]:
     """What stands in a property for a value that is not given: out of the setting's range."""
     if entry.kind == "layers":
         return ""
+    if entry.kind == "flag":
+        return False
     zero_allowed = entry.low is None or (entry.low <= 0.0 and not entry.low_open)
     return -1 if zero_allowed else 0
 

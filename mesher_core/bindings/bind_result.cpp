@@ -82,20 +82,31 @@ py::list patches(const py::object& self) {
   return list;
 }
 
+py::dict range(double least, double mean, double most) {
+  py::dict entry;
+  entry["min"] = least;
+  entry["mean"] = mean;
+  entry["max"] = most;
+  return entry;
+}
+
 py::list walls(const py::object& self) {
   py::list list;
   for (const WallReport& wall : mesh_of(self).walls) {
-    py::dict achieved;
-    achieved["min"] = wall.achieved_min;
-    achieved["mean"] = wall.achieved_mean;
-    achieved["max"] = wall.achieved_max;
     py::dict entry;
     entry["edge"] = edge_name(wall.edge);
     entry["face"] = face_name(wall.face);
     entry["first_height"] = wall.first_height;
     entry["growth"] = wall.growth;
-    entry["achieved_first_height"] = achieved;
+    entry["thickness"] = wall.thickness > 0.0 ? py::object(py::float_(wall.thickness)) : py::none();
+    entry["achieved_first_height"] =
+        range(wall.achieved_min, wall.achieved_mean, wall.achieved_max);
+    entry["height_error"] = wall.height_error;
     entry["achieved_growth"] = wall.achieved_growth;
+    entry["achieved_thickness"] =
+        range(wall.thickness_min, wall.thickness_mean, wall.thickness_max);
+    entry["requested_layers"] = wall.until_isotropic ? py::object(py::str("isotropic"))
+                                                     : py::object(py::int_(wall.requested_layers));
     entry["layers"] = wall.layers;
     entry["stops"] = wall.stops;
     list.append(entry);

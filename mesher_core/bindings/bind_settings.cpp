@@ -6,56 +6,14 @@
 #include "base/error.h"
 #include "bindings.h"
 #include "geometry/model.h"
+#include "setting_lists.h"
+#include "setting_values.h"
 #include "sizing/settings.h"
 
 namespace py = pybind11;
 
 namespace advlayers::python {
 namespace {
-
-std::string shown(const py::handle& value) { return py::repr(value).cast<std::string>(); }
-
-// The zero-based number in a CAD name such as "Edge7".
-std::int32_t number_in_name(const py::handle& value, const char* setting, const std::string& kind) {
-  const std::string wanted =
-      std::string(setting) + " must name " + kind + "s, like \"" + kind + "7\"";
-  if (!py::isinstance<py::str>(value)) throw InvalidInput(wanted + ", got " + shown(value));
-  const auto name = value.cast<std::string>();
-  const bool prefixed = name.compare(0, kind.size(), kind) == 0;
-  const std::string digits = prefixed ? name.substr(kind.size()) : "";
-  const bool numeric = !digits.empty() && digits.size() < 10 && digits.front() != '0' &&
-                       digits.find_first_not_of("0123456789") == std::string::npos;
-  if (!numeric) throw InvalidInput(wanted + ", got " + shown(value));
-  return static_cast<std::int32_t>(std::stol(digits) - 1);
-}
-
-template <class EntityId>
-std::vector<EntityId> names(const py::handle& value, const char* setting, const std::string& kind) {
-  if (py::isinstance<py::str>(value) || !py::isinstance<py::iterable>(value)) {
-    throw InvalidInput(std::string(setting) + " must be a list of names like \"" + kind +
-                       "7\", got " + shown(value));
-  }
-  std::vector<EntityId> ids;
-  for (const py::handle item : value) ids.emplace_back(number_in_name(item, setting, kind));
-  return ids;
-}
-
-double number(const py::handle& value, const char* setting) {
-  const bool plain = !py::isinstance<py::bool_>(value) && PyNumber_Check(value.ptr()) == 1;
-  if (!plain) throw InvalidInput(std::string(setting) + " must be a number, got " + shown(value));
-  return value.cast<double>();
-}
-
-int count(const py::handle& value, const char* setting) {
-  if (py::isinstance<py::bool_>(value) || !py::isinstance<py::int_>(value)) {
-    throw InvalidInput(std::string(setting) + " must be a whole number, got " + shown(value));
-  }
-  try {
-    return value.cast<int>();
-  } catch (const py::cast_error&) {
-    throw InvalidInput(std::string(setting) + " is out of range: " + shown(value));
-  }
-}
 
 void set_layers(const py::handle& value, Settings& settings) {
   if (py::isinstance<py::str>(value)) {
@@ -75,45 +33,6 @@ void set_core(const py::handle& value, Settings& settings) {
     throw InvalidInput("core must be \"quads\" or \"triangles\", got " + shown(value));
   }
   settings.core = name == "quads" ? CoreElements::kQuads : CoreElements::kTriangles;
-}
-
-WallSpec wall_of(const py::handle& value) {
-  if (!py::isinstance<py::dict>(value)) {
-    throw InvalidInput("walls must hold dictionaries, got " + shown(value));
-  }
-  WallSpec wall;
-  for (const auto& [key, item] : value.cast<py::dict>()) {
-    const auto name = py::str(key).cast<std::string>();
-    if (name == "edges") {
-      wall.edges = names<EdgeId>(item, "walls: edges", "Edge");
-    } else if (name == "faces") {
-      wall.faces = names<FaceId>(item, "walls: faces", "Face");
-    } else if (name == "first_height") {
-      wall.first_height = number(item, "walls: first_height");
-    } else if (name == "growth") {
-      wall.growth = number(item, "walls: growth");
-    } else if (name == "layers") {
-      wall.layers = count(item, "walls: layers");
-    } else {
-      throw InvalidInput("walls: unknown key \"" + name + "\"");
-    }
-  }
-  if (wall.edges.empty()) throw InvalidInput("walls: \"edges\" is missing or empty");
-  return wall;
-}
-
-void set_walls(const py::handle& value, Settings& settings) {
-  if (py::isinstance<py::str>(value)) {
-    if (value.cast<std::string>() != "all") {
-      throw InvalidInput("walls must be \"all\" or a list, got " + shown(value));
-    }
-    return;
-  }
-  if (!py::isinstance<py::iterable>(value)) {
-    throw InvalidInput("walls must be \"all\" or a list, got " + shown(value));
-  }
-  settings.walls_all = false;
-  for (const py::handle item : value) settings.walls.push_back(wall_of(item));
 }
 
 void set_faces(const py::handle& value, Settings& settings) {
@@ -138,6 +57,10 @@ const Keyword kKeywords[] = {
      [](const py::handle& v, Settings& s) { s.feature_angle = number(v, "feature_angle"); }},
     {"curvature_angle",
      [](const py::handle& v, Settings& s) { s.curvature_angle = number(v, "curvature_angle"); }},
+    {"size_growth",
+     [](const py::handle& v, Settings& s) { s.size_growth = number(v, "size_growth"); }},
+    {"sizes", set_sizes},
+    {"refinements", set_refinements},
     {"core", set_core},
     {"walls", set_walls},
     {"match",
@@ -180,13 +103,17 @@ std::string describe(const Settings& settings) {
 
 constexpr const char* kDoc =
     "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=0,\n"
-    "curvature_angle=20, core=\"quads\", walls=\"all\", match=[], off=[], faces=\"all\", "
-    "threads=0)\n\n"
+    "curvature_angle=20, size_growth=1.4, sizes=[], refinements=[], core=\"quads\", "
+    "walls=\"all\",\n"
+    "match=[], off=[], faces=\"all\", threads=0)\n\n"
     "size, first_height in mm; angles in degrees. layers: a number, 0 = until the fronts close, "
     "or\n"
     "\"isotropic\". walls: \"all\", or a list of {\"edges\": [\"Edge3\"], \"faces\": [\"Face1\"],\n"
-    "\"first_height\": ..., \"growth\": ..., \"layers\": ...}. threads: 0 = as many as there "
-    "are.\n\n"
+    "\"first_height\", \"end_height\", \"aspect_ratio\", \"turning_angle\", \"growth\", "
+    "\"layers\",\n"
+    "\"thickness\"}. sizes: a list of {\"edges\", \"faces\", \"size\", \"segments\", \"cluster\",\n"
+    "\"both_ends\"}; refinements: a list of {\"point\": [x, y, z], \"size\", \"radius\"}.\n"
+    "threads: 0 = as many as there are.\n\n"
     "Raises InvalidInput naming the setting and its value. Values that depend on the model are\n"
     "checked by Mesher.";
 
@@ -201,6 +128,7 @@ void bind_settings(py::module_& module) {
       .def_property_readonly("layers", &layers_of, "Number of layers, or \"isotropic\".")
       .def_readonly("feature_angle", &Settings::feature_angle, "[deg]")
       .def_readonly("curvature_angle", &Settings::curvature_angle, "[deg]")
+      .def_readonly("size_growth", &Settings::size_growth, "Most that neighbouring edges differ.")
       .def_property_readonly(
           "core",
           [](const Settings& s) { return s.core == CoreElements::kQuads ? "quads" : "triangles"; })

@@ -140,6 +140,40 @@ def test_walls_may_be_chosen():
     assert set(layered) == {1}
 
 
+@pytest.mark.parametrize("wall, words", [
+    ({"first_height": 0.1, "aspect_ratio": 20.0}, "exclude each other"),
+    ({"first_height": 0.1, "growth": 1.2, "layers": 3, "thickness": 1.0}, "one too many"),
+    ({"thickness": 1e-3}, "less than the first height"),
+    ({"height": 0.1}, "unknown key"),
+    ({"end_height": -1.0}, "end_height must be > 0 mm"),
+])
+def test_walls_that_contradict_themselves_are_refused(wall, words):
+    with pytest.raises(core.InvalidInput) as error:
+        mesh("box", walls=[{"edges": ["Edge1"], **wall}])
+    assert words in str(error.value)
+
+
+@pytest.mark.parametrize("size, words", [
+    ({"edges": ["Edge1"], "size": 0.1, "segments": 3}, "exclude each other"),
+    ({"faces": ["Face1"], "segments": 3}, "lists none"),
+    ({"edges": ["Edge1"]}, "needs a size"),
+    ({"edges": ["Edge1"], "both_ends": True, "size": 1.0}, "both_ends needs a cluster"),
+    ({"edges": ["Edge99"], "size": 1.0}, "there is no Edge99"),
+])
+def test_sizes_that_contradict_themselves_are_refused(size, words):
+    with pytest.raises(core.InvalidInput) as error:
+        mesh("box", sizes=[size])
+    assert words in str(error.value)
+
+
+def test_sizes_and_refinements_are_meshed():
+    result = mesh("square", walls=[], sizes=[{"edges": ["Edge1"], "segments": 31}],
+                  refinements=[{"point": (5, 5, 0), "size": 0.1, "radius": 1.0}])
+    assert len(result.edge_segments[1]) == 31
+    finer = np.linalg.norm(result.nodes - (5, 5, 0), axis=1) < 1.0
+    assert np.count_nonzero(finer) > 150
+
+
 def test_no_walls_make_an_isotropic_mesh():
     result = mesh("box", walls=[])
     assert result.layer_of_quad.max() == 0

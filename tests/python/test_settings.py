@@ -5,9 +5,11 @@ import pytest
 
 from advlayers.errors import InputError
 from advlayers.settings_check import CHECKS, check_all, check_names
-from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS, WALL_SETTINGS, range_text, setting
+from advlayers.settings_table import (
+    JOB_SETTINGS, MESH_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, range_text,
+    setting)
 
-EVERY_SETTING = MESH_SETTINGS + JOB_SETTINGS + WALL_SETTINGS
+EVERY_SETTING = MESH_SETTINGS + JOB_SETTINGS + WALL_SETTINGS + SIZE_SETTINGS + REFINEMENT_SETTINGS
 
 
 @pytest.mark.parametrize("entry", EVERY_SETTING, ids=lambda entry: entry.key)
@@ -67,6 +69,16 @@ def test_defaults_pass_their_own_check():
     ("walls", [{"faces": ["Face1"]}], "walls[0].edges is missing"),
     ("walls", [{"edges": ["Edge1"], "growth": 0.9}], "walls[0].growth must be >= 1"),
     ("walls", [{"edges": ["Edge1"], "height": 1}], "walls[0].height is no known key"),
+    ("walls", [{"edges": ["Edge1"], "thickness": 0}], "walls[0].thickness must be > 0 mm"),
+    ("walls", [{"edges": ["Edge1"], "turning_angle": 91}], "walls[0].turning_angle must be"),
+    ("sizes", "Edge1", "sizes must be a list"),
+    ("sizes", ["Edge1"], "sizes[0] must be an object"),
+    ("sizes", [{"edges": ["Edge1"], "segments": 2.5}], "sizes[0].segments must be a whole"),
+    ("sizes", [{"edges": ["Edge1"], "both_ends": 1}], "sizes[0].both_ends must be true or false"),
+    ("refinements", [{"point": [1, 2]}], "refinements[0].point must be three numbers"),
+    ("refinements", [{"point": [1, 2, "3"], "size": 1}], "refinements[0].point[2] must be a num"),
+    ("refinements", [{"point": [1, 2, 3]}], "refinements[0].size is missing"),
+    ("size_growth", 1.0, "size_growth must be > 1 and <= 3"),
     ("match", "Edge1", "list of names"),
     ("groups", {"Face1": ["Face1"]}, "the mesh itself"),
     ("groups", {"a\nb": ["Face1"]}, "cannot be written"),
@@ -89,6 +101,7 @@ def test_whole_numbers_may_be_written_with_a_point():
     ({"faces": ["Face7"]}, "faces names Face7, but box has 6 faces"),
     ({"off": ["Edge13"]}, "off names Edge13, but box has 12 edges"),
     ({"walls": [{"edges": ["Edge1"], "faces": ["Face9"]}]}, "walls[0].faces names Face9"),
+    ({"sizes": [{"edges": ["Edge99"], "size": 1}]}, "sizes[0].edges names Edge99"),
     ({"groups": {"inlet": ["Face99"]}}, "groups.inlet names Face99"),
     ({"groups": {"inlet": ["Face2"]}, "faces": ["Face1"]}, "which is not in faces"),
 ])

@@ -49,8 +49,11 @@ class Settings:
     """What is asked for; size and first_height in mm, angles in degrees.
 
     layers: a number, 0 = until the fronts close, or "isotropic". walls: "all", or a list of
-    {"edges": ["Edge3"], "faces": ["Face1"], "first_height": ..., "growth": ..., "layers": ...},
-    of which all but "edges" may be left out. threads: 0 = as many as there are.
+    {"edges": ["Edge3"], "faces": ["Face1"], "first_height", "end_height", "aspect_ratio",
+    "turning_angle", "growth", "layers", "thickness"}, of which all but "edges" may be left out.
+    sizes: a list of {"edges", "faces", "size", "segments", "cluster", "both_ends"}.
+    refinements: a list of {"point": [x, y, z], "size", "radius"}. size_growth: the most that
+    neighbouring edges differ. threads: 0 = as many as there are.
 
     Raises InvalidInput naming the setting and its value. What depends on the model is checked
     by Mesher.
@@ -59,7 +62,9 @@ class Settings:
     def __init__(
         self, *, size: float, first_height: float, growth: float = ...,
         layers: Union[int, Literal["isotropic"]] = ..., feature_angle: float = ...,
-        curvature_angle: float = ..., core: Literal["quads", "triangles"] = ...,
+        curvature_angle: float = ..., size_growth: float = ...,
+        sizes: Iterable[Mapping[str, Any]] = ..., refinements: Iterable[Mapping[str, Any]] = ...,
+        core: Literal["quads", "triangles"] = ...,
         walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
         match: Iterable[str] = ..., off: Iterable[str] = ...,
         faces: Union[Literal["all"], Iterable[str]] = ..., threads: int = ...,
@@ -76,6 +81,8 @@ class Settings:
     def feature_angle(self) -> float: ...
     @property
     def curvature_angle(self) -> float: ...
+    @property
+    def size_growth(self) -> float: ...
     @property
     def core(self) -> str: ...
     @property

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 #include "boundary/edge_creases.h"
 #include "boundary/edge_spacing.h"
@@ -39,7 +38,8 @@ class Discretizer {
   Discretizer(Evaluator& evaluator, const Settings& settings)
       : evaluator_(evaluator),
         model_(evaluator.model()),
-        limits_{kSizeTolerance * settings.size, settings.curvature_angle * M_PI / 180.0, 0.0},
+        sizes_(settings),
+        limits_{0.0, &sizes_, settings.curvature_angle * M_PI / 180.0, 0.0},
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
     choose_faces(settings);
@@ -88,6 +88,9 @@ class Discretizer {
       }
       std::sort(ends.begin() + 1, ends.end());
       ends.push_back(edge.last);
+      std::vector<FaceId> beside;
+      for (const EdgeSpacing::Side& side : sides_[i]) beside.push_back(side.face);
+      limits_.size = kSizeTolerance * sizes_.of_edge(EdgeId(i), beside);
       const int first = edge.start.valid() ? edge.start.value : joint_count_++;
       const int last = edge.end.valid() ? edge.end.value : closed_at(edge, first);
       int from = first;
@@ -103,6 +106,24 @@ class Discretizer {
              EdgeSpacing(evaluator_, EdgeId(i), ends[k - 1], ends[k], sides_[i], limits_)});
         from = to;
       }
+      fix_segments(EdgeId(i));
+    }
+  }
+
+  // A number of segments of the whole edge is shared out by the lengths of its stretches.
+  void fix_segments(EdgeId edge) {
+    const SizeSpec* spec = sizes_.edge_spec(edge);
+    if (spec == nullptr || (!spec->segments && !spec->cluster)) return;
+    double length = 0.0;
+    for (const std::size_t i : of_edge_[edge.index()]) length += stretches_[i].spacing.length();
+    for (const std::size_t i : of_edge_[edge.index()]) {
+      EdgeSpacing& spacing = stretches_[i].spacing;
+      const double ratio = std::pow(spec->cluster.value_or(1.0), spacing.length() / length);
+      const int segments =
+          spec->segments
+              ? static_cast<int>(std::lround(*spec->segments * spacing.length() / length))
+              : spacing.segments_for(ratio, spec->both_ends);
+      spacing.fix(std::max(1, segments), ratio, spec->both_ends);
     }
   }
 
@@ -130,6 +151,7 @@ class Discretizer {
         bool lowered = false;
         for (int end = 0; end < 2; ++end) {
           const double least = shortest[static_cast<std::size_t>(s.joints[end])];
+          if (s.spacing.fixed()) continue;
           if (s.spacing.end_segment(end) <= kMaxJump * (1.0 + 1e-9) * least) continue;
           s.spacing.limit_end(end, kJump * least);
           lowered = true;
@@ -219,6 +241,10 @@ class Discretizer {
         for (const MatchEnd* match : found->second) series[end].push_back(series_of(*match));
       }
       if (series[0].empty() && series[1].empty()) continue;
+      if (stretches_[i].spacing.fixed()) {
+        note(edge, "match-fixed", "its segments are fixed: layers run along it where they fit");
+        continue;
+      }
       LayeredCuts cuts = lay_out_layers(stretches_[i].spacing.length(), series[0], series[1]);
       if (cuts.spread > kUnlike) note_spread(edge, cuts.spread);
       planned.emplace_back(i, std::move(cuts));
@@ -248,14 +274,16 @@ class Discretizer {
   }
 
   void note_spread(EdgeId edge, double spread) {
+    note(edge, "match-mean",
+         "the layers of the faces beside it would cut it differently; its nodes follow the mean, "
+         "and leave the heights asked for by up to " +
+             std::to_string(std::lround(100.0 * spread)) + " %");
+  }
+  void note(EdgeId edge, const char* code, const std::string& text) {
     Diagnostic note;
     note.severity = Severity::kInfo;
-    note.code = "match-mean";
-    std::ostringstream text;
-    text << edge_name(edge) << ": the layers of the faces beside it would cut it differently; its "
-         << "nodes follow the mean, and leave the heights asked for by up to "
-         << std::lround(100.0 * spread) << " %";
-    note.text = text.str();
+    note.code = code;
+    note.text = edge_name(edge) + ": " + text;
     notes_.push_back(std::move(note));
   }
 
@@ -331,8 +359,9 @@ class Discretizer {
 
   Evaluator& evaluator_;
   const Model& model_;
-  SpacingLimits limits_;
-  int joint_count_;  // joints below the number of CAD vertices are those
+  SizeField sizes_;
+  SpacingLimits limits_;  // with the size of the edge at hand
+  int joint_count_;       // joints below the number of CAD vertices are those
   std::vector<bool> meshed_;
   std::vector<std::vector<EdgeSpacing::Side>> sides_;  // by EdgeId
   std::vector<Stretch> stretches_;

@@ -10,8 +10,6 @@ namespace advlayers {
 
 namespace {
 
-// Growth of neighbouring segments: spacing may rise along the edge by the logarithm of it.
-const double kSlope = std::log(1.4);
 // A sampled cell turns at most this part of what a segment may.
 constexpr double kCellPart = 0.25;
 constexpr int kMinDepth = 2, kMaxDepth = 12;
@@ -83,11 +81,24 @@ double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
   return spacing;
 }
 
+// And by the points of refinement, within the limits alone.
+double EdgeSpacing::cell_spacing(const Station& a, const Station& b) const {
+  double spacing = turn_spacing(a, b);
+  if (!limits_.sizes->refined()) return spacing;
+  for (const Vec3& p : {a.xyz, b.xyz}) {
+    const double size = limits_.sizes->near(p, limits_.size);
+    if (size < limits_.size) spacing = std::min(spacing, size);
+  }
+  return spacing;
+}
+
 void EdgeSpacing::refine(const Station& a, const Station& b, int depth) {
   const Station mid = station(0.5 * (a.t + b.t), 0.0);
-  const double left = turn_spacing(a, mid), right = turn_spacing(mid, b);
+  const double left = cell_spacing(a, mid), right = cell_spacing(mid, b);
   const double ds = std::max(mid.s - a.s, b.s - mid.s);
-  const bool coarse = ds > kCellPart * std::min({left, right});
+  // A point of refinement is felt over some sizes: no cell may be wider.
+  const bool coarse =
+      ds > kCellPart * std::min({left, right}) || (limits_.sizes->refined() && ds > limits_.size);
   if (depth < kMinDepth || (coarse && depth < kMaxDepth)) {
     refine(a, mid, depth + 1);
     refine(mid, b, depth + 1);
@@ -101,12 +112,41 @@ void EdgeSpacing::refine(const Station& a, const Station& b, int depth) {
   if (b.s > samples_.back().s) samples_.push_back({b.s, std::min(limits_.size, right)});
 }
 
+void EdgeSpacing::fix(int segments, double ratio, bool both_ends) {
+  fixed_ = {segments, ratio, both_ends};
+}
+
+// Geometric steps are a spacing that is linear in the length.
+int EdgeSpacing::segments_for(double ratio, bool both_ends) const {
+  const double larger = std::max(ratio, 1.0 / ratio);
+  const double segments = length() / limits_.size *
+                          (larger > 1.0 + 1e-9 ? std::log(larger) * larger / (larger - 1.0) : 1.0);
+  if (!(segments < kMaxSegments)) {
+    throw InvalidInput("cluster would cut " + edge_name(edge_) + " into millions of segments");
+  }
+  return std::max(both_ends ? 2 : 1, static_cast<int>(std::ceil(segments - kUniform)));
+}
+
+void EdgeSpacing::cut_fixed() {
+  const int n = std::max(fixed_.segments, required_);
+  const int steps = fixed_.both_ends ? (n - 1) / 2 : n - 1;
+  const double growth = steps > 0 ? std::pow(fixed_.ratio, 1.0 / steps) : 1.0;
+  cuts_.assign(1, 0.0);
+  for (int k = 0; k < n; ++k) {
+    cuts_.push_back(cuts_.back() + std::pow(growth, fixed_.both_ends ? std::min(k, n - 1 - k) : k));
+  }
+  const double scale = length() / cuts_.back();
+  for (double& cut : cuts_) cut *= scale;
+  cuts_.back() = length();
+}
+
 void EdgeSpacing::limit_end(int end, double spacing) {
   end_limit_[end] = std::min(end_limit_[end], spacing);
 }
 
 // The wanted spacing between two arc lengths, held to the slope from every sample and the ends.
 std::vector<EdgeSpacing::Sample> EdgeSpacing::graded(double from, double to) const {
+  const double slope = limits_.sizes->slope();
   std::vector<Sample> h{{from, std::numeric_limits<double>::infinity()}};
   for (const Sample& sample : samples_) {
     if (sample.s <= from) {
@@ -124,15 +164,16 @@ std::vector<EdgeSpacing::Sample> EdgeSpacing::graded(double from, double to) con
   blend(0, layers_.segments[0]);
   blend(h.size() - 1, layers_.segments[1]);
   for (std::size_t i = 1; i < h.size(); ++i) {
-    h[i].spacing = std::min(h[i].spacing, h[i - 1].spacing + kSlope * (h[i].s - h[i - 1].s));
+    h[i].spacing = std::min(h[i].spacing, h[i - 1].spacing + slope * (h[i].s - h[i - 1].s));
   }
   for (std::size_t i = h.size() - 1; i-- > 0;) {
-    h[i].spacing = std::min(h[i].spacing, h[i + 1].spacing + kSlope * (h[i + 1].s - h[i].s));
+    h[i].spacing = std::min(h[i].spacing, h[i + 1].spacing + slope * (h[i + 1].s - h[i].s));
   }
   return h;
 }
 
 void EdgeSpacing::cut() {
+  if (fixed()) return cut_fixed();
   cuts_.assign(1, 0.0);
   for (const double segment : layers_.segments[0]) cuts_.push_back(cuts_.back() + segment);
   std::vector<double> from_end;

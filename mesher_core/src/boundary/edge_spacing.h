@@ -7,13 +7,15 @@
 
 #include "boundary/match_end.h"
 #include "geometry/evaluator.h"
+#include "sizing/size_field.h"
 
 namespace advlayers {
 
 struct SpacingLimits {
-  double size;          // [mm] longest segment
-  double curve_angle;   // [rad] a segment of the curve may turn
-  double normal_angle;  // [rad] the normals of the faces beside it may turn along a segment
+  double size;             // [mm] longest segment
+  const SizeField* sizes;  // points of refinement, and how fast segments grow
+  double curve_angle;      // [rad] a segment of the curve may turn
+  double normal_angle;     // [rad] the normals of the faces beside it may turn along a segment
 };
 
 class EdgeSpacing {
@@ -35,6 +37,12 @@ class EdgeSpacing {
   void limit_end(int end, double spacing);
   // Its first segments from either end are given; only what lies between is cut by size and angles.
   void set_layers(LayeredCuts layers) { layers_ = std::move(layers); }
+  // So many segments in geometric steps, whatever else asks for: `ratio` of the last to the first,
+  // or, towards both ends, of the middle one to those at the ends.
+  void fix(int segments, double ratio, bool both_ends);
+  // The segments that `ratio` takes with none longer than the size.
+  int segments_for(double ratio, bool both_ends) const;
+  bool fixed() const { return fixed_.segments > 0; }
   // Cuts anew; arc lengths from the begin, both ends included.
   // Throws InvalidInput where the size would cut the edge into millions.
   void cut();
@@ -55,6 +63,7 @@ class EdgeSpacing {
   // Derivatives are taken `inward` of t.
   Station station(double t, double inward) const;
   void refine(const Station& a, const Station& b, int depth);
+  double cell_spacing(const Station& a, const Station& b) const;
   double turn_spacing(const Station& a, const Station& b) const;
   std::vector<Sample> graded(double from, double to) const;
   void cut_between(double from, double to);
@@ -69,6 +78,14 @@ class EdgeSpacing {
   int required_ = 1;
   double end_limit_[2] = {std::numeric_limits<double>::infinity(),
                           std::numeric_limits<double>::infinity()};
+  struct Fixed {
+    int segments = 0;  // 0: not fixed
+    double ratio = 1.0;
+    bool both_ends = false;
+  };
+  void cut_fixed();
+
+  Fixed fixed_;
   LayeredCuts layers_;
   std::vector<double> cuts_;
 };

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "boundary/patch_edges.h"
+#include "sizing/size_field.h"
 
 namespace advlayers {
 namespace {
@@ -116,7 +117,10 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
                     const std::vector<FaceId>& faces) {
   WallPlan walls;
   walls.stop_at_isotropy = settings.end == EndOfGrowth::kIsotropic;
-  walls.max_height = settings.size;
+  const SizeField sizes(settings);
+  walls.max_height = 0.0;
+  for (const FaceId face : faces)
+    walls.max_height = std::max(walls.max_height, sizes.of_face(face));
   for (const EdgeId edge : boundary_edges(evaluator, settings, faces)) {
     walls.edges[edge] = settings.walls_all ? wall_by(WallSpec(), settings) : EdgePlan();
   }

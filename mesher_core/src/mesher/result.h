@@ -16,10 +16,15 @@ namespace advlayers {
 struct WallReport {
   EdgeId edge;
   FaceId face;
-  double first_height = 0.0;                                           // asked [mm]
-  double growth = 1.0;                                                 // asked
+  double first_height = 0.0;  // asked [mm]; the mean over the columns measured where it varies
+  double growth = 1.0;        // asked
+  int requested_layers = 0;   // 0: until the fronts close, unless `until_isotropic`
+  bool until_isotropic = false;
+  double thickness = 0.0;  // of all layers asked for [mm]; 0 where their number is not
   double achieved_min = 0.0, achieved_mean = 0.0, achieved_max = 0.0;  // first height [mm]
-  double achieved_growth = 0.0;      // mean over columns; 0 where no column has two layers
+  double height_error = 0.0;     // the largest |achieved / asked - 1| of a first height
+  double achieved_growth = 0.0;  // mean over columns; 0 where no column has two layers
+  double thickness_min = 0.0, thickness_mean = 0.0, thickness_max = 0.0;  // achieved [mm]
   int layers = 0;                    // complete layers along the whole edge
   std::map<std::string, int> stops;  // reason -> wall vertices
 };

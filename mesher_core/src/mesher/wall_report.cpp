@@ -49,6 +49,8 @@ int regularity(const SurfaceMesh& mesh, const Columns& columns, HalfedgeH border
 struct Sample {
   double first = 0.0;   // [mm]
   double second = 0.0;  // [mm]; 0: the column has one layer
+  double whole = 0.0;   // of all its layers [mm]
+  double asked = 0.0;   // first height [mm]
   int regularity = 0;   // 0: a corner; 1: the wall is straight here; 2: and two edges around
 };
 
@@ -60,9 +62,13 @@ Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Colu
   if (!kid.valid()) return sample;
   sample.first = arc_length(surface, mesh.data(foot).point, mesh.data(kid).point);
   sample.regularity = regularity(mesh, columns, border);
-  const VertexH grandkid = columns.only_kid(kid);
-  if (grandkid.valid()) {
-    sample.second = arc_length(surface, mesh.data(kid).point, mesh.data(grandkid).point);
+  sample.whole = sample.first;
+  VertexH top = kid;
+  for (VertexH next = columns.only_kid(top); next.valid(); next = columns.only_kid(top)) {
+    const double height = arc_length(surface, mesh.data(top).point, mesh.data(next).point);
+    if (top == kid) sample.second = height;
+    sample.whole += height;
+    top = next;
   }
   return sample;
 }
@@ -73,12 +79,17 @@ void summarize(const std::vector<Sample>& samples, WallReport& report) {
     if (s.first > 0.0) best = std::max(best, s.regularity);
   }
   int heights = 0, ratios = 0;
-  double sum = 0.0, ratio_sum = 0.0;
+  double sum = 0.0, ratio_sum = 0.0, asked_sum = 0.0, whole_sum = 0.0;
   for (const Sample& s : samples) {
     if (s.first <= 0.0 || s.regularity < best) continue;
     report.achieved_min = heights > 0 ? std::min(report.achieved_min, s.first) : s.first;
     report.achieved_max = std::max(report.achieved_max, s.first);
+    report.height_error = std::max(report.height_error, std::abs(s.first / s.asked - 1.0));
+    report.thickness_min = heights > 0 ? std::min(report.thickness_min, s.whole) : s.whole;
+    report.thickness_max = std::max(report.thickness_max, s.whole);
     sum += s.first;
+    asked_sum += s.asked;
+    whole_sum += s.whole;
     ++heights;
     if (s.second <= 0.0) continue;
     ratio_sum += s.second / s.first;
@@ -86,6 +97,9 @@ void summarize(const std::vector<Sample>& samples, WallReport& report) {
   }
   if (heights > 0) {  // a mean of equal heights may leave them by round-off
     report.achieved_mean = std::clamp(sum / heights, report.achieved_min, report.achieved_max);
+    report.thickness_mean =
+        std::clamp(whole_sum / heights, report.thickness_min, report.thickness_max);
+    report.first_height = asked_sum / heights;
   }
   if (ratios > 0) report.achieved_growth = ratio_sum / ratios;
 }
@@ -163,16 +177,24 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
     if (!mesh.alive(h) || !mesh.is_border(h) || !is_wall(h)) continue;
     Wall& wall = walls[mesh.curve(h)];
     wall.samples.push_back(measure_column(mesh, surface, columns, h));
+    wall.samples.back().asked =
+        plan.edges.at(mesh.curve(h)).height_at(mesh.data(mesh.from(h)).node);
     // Where walls end beside another condition, that one decides about the column.
     if (is_wall(mesh.prev(h))) wall.roots.push_back(mesh.from(h));
   }
   std::vector<WallReport> reports;
   for (const auto& [edge, wall] : walls) {
     WallReport report;
+    const EdgePlan& asked = plan.edges.at(edge);
     report.edge = edge;
-    report.first_height = plan.edges.at(edge).first_height;
-    report.growth = plan.edges.at(edge).growth;
+    report.first_height = asked.first_height;
+    report.growth = asked.growth;
+    report.until_isotropic = plan.stop_at_isotropy && asked.layers == kUntilClosed;
+    report.requested_layers = asked.layers == kUntilClosed ? 0 : asked.layers;
     summarize(wall.samples, report);
+    if (report.requested_layers > 0) {
+      report.thickness = thickness_of(report.first_height, asked.growth, asked.layers);
+    }
     count_layers(stops_by_root, wall.roots, layers_made, report);
     reports.push_back(std::move(report));
   }

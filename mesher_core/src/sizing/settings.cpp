@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "geometry/model.h"
+#include "sizing/size_field.h"
 #include "sizing/wall_spacing.h"
 
 namespace advlayers {
@@ -14,6 +15,8 @@ namespace advlayers {
 namespace {
 
 constexpr double kMaxGrowth = 10.0;
+constexpr int kMostSegments = 1000000;
+constexpr double kMostCluster = 1e6;
 constexpr double kMostElements = 1e8;  // some 50 GB of mesh
 
 [[noreturn]] void refuse(const std::string& name, const std::string& rule, double value,
@@ -91,6 +94,61 @@ void check_wall(const WallSpec& wall, const Model& model) {
   if (wall.layers && *wall.layers < 0) refuse("layers", ">= 0", *wall.layers, where);
 }
 
+void check_size(const SizeSpec& spec, const Model& model) {
+  if (spec.edges.empty() && spec.faces.empty()) {
+    throw InvalidInput("sizes: an entry lists neither edge nor face");
+  }
+  for (const EdgeId e : spec.edges) check_edge(e, model, "sizes");
+  for (const FaceId f : spec.faces) check_face(f, model, "sizes");
+  const std::string where =
+      spec.edges.empty() ? face_name(spec.faces.front()) : edge_name(spec.edges.front());
+  const auto refuse_entry = [&where](const char* why) {
+    throw InvalidInput("sizes: " + std::string(why) + " (" + where + ")");
+  };
+  if (!spec.size && !spec.segments && !spec.cluster) {
+    refuse_entry("an entry needs a size, segments or cluster");
+  }
+  if (spec.size) check_positive("sizes: size", *spec.size, where);
+  if (spec.segments && (*spec.segments < 1 || *spec.segments > kMostSegments)) {
+    refuse("sizes: segments", "from 1 to 1000000", *spec.segments, where);
+  }
+  if (spec.cluster && !(*spec.cluster >= 1.0 / kMostCluster && *spec.cluster <= kMostCluster)) {
+    refuse("sizes: cluster", "from 1e-6 to 1e6", *spec.cluster, where);
+  }
+  if (spec.both_ends && !spec.cluster) refuse_entry("both_ends needs a cluster");
+  if (spec.edges.empty() && (spec.segments || spec.cluster)) {
+    refuse_entry("segments and cluster are of edges, and the entry lists none");
+  }
+  if (spec.faces.empty() && spec.size && spec.segments) {
+    refuse_entry("size and segments of an edge exclude each other");
+  }
+  if (!spec.faces.empty() && !spec.size) refuse_entry("a face needs a size");
+}
+
+void check_sizes(const Settings& settings, const Model& model) {
+  std::map<EdgeId, int> edges;
+  std::map<FaceId, int> faces;
+  for (const SizeSpec& spec : settings.sizes) {
+    check_size(spec, model);
+    for (const EdgeId e : spec.edges) {
+      if (++edges[e] > 1) throw InvalidInput("sizes: " + edge_name(e) + " is listed twice");
+    }
+    for (const FaceId f : spec.faces) {
+      if (++faces[f] > 1) throw InvalidInput("sizes: " + face_name(f) + " is listed twice");
+    }
+  }
+  for (const Refinement& r : settings.refinements) {
+    check_positive("refinements: size", r.size);
+    if (!(r.radius >= 0.0 && std::isfinite(r.radius))) {
+      refuse("refinements: radius", ">= 0 mm", r.radius, "");
+    }
+    if (!r.point.allFinite()) throw InvalidInput("refinements: point must be finite");
+  }
+  if (!(settings.size_growth > 1.0 && settings.size_growth <= 3.0)) {
+    refuse("size_growth", "> 1 and <= 3", settings.size_growth, "");
+  }
+}
+
 // Two entries of one edge are one too many unless each keeps to faces of its own.
 void check_walls_apart(const Settings& settings) {
   std::map<EdgeId, std::vector<const WallSpec*>> entries;
@@ -135,15 +193,20 @@ void check_conditions(const Settings& settings, const Model& model) {
 
 // An isotropic mesh is the least that the size asks for; the layers only add to it.
 void check_amount(const Settings& settings, const Model& model) {
-  double area = 0.0;  // [mm^2]
-  for (const FaceId f : settings.faces) area += model.face(f).area;
-  if (settings.faces.empty()) {
-    for (const Face& face : model.faces()) area += face.area;
+  const SizeField sizes(settings);
+  std::vector<FaceId> faces = settings.faces;
+  for (std::size_t f = 0; settings.faces.empty() && f < model.faces().size(); ++f) {
+    faces.emplace_back(f);
   }
-  const double elements = area / (settings.size * settings.size);
+  double elements = 0.0, least = settings.size;
+  for (const FaceId f : faces) {
+    const double size = sizes.of_face(f);
+    elements += model.face(f).area / (size * size);
+    least = std::min(least, size);
+  }
   if (elements <= kMostElements) return;
   std::ostringstream text;
-  text << "size is too small: " << settings.size << " mm asks for " << elements << " elements, and "
+  text << "size is too small: " << least << " mm asks for " << elements << " elements, and "
        << kMostElements << " are the most";
   throw InvalidInput(text.str());
 }
@@ -160,6 +223,7 @@ void check(const Settings& settings, const Model& model) {
   }
   if (settings.threads < 0) refuse("threads", ">= 0", settings.threads, "");
   for (const FaceId f : settings.faces) check_face(f, model, "faces");
+  check_sizes(settings, model);
   check_amount(settings, model);
   check_conditions(settings, model);
   check_walls_apart(settings);

@@ -26,6 +26,23 @@ struct WallSpec {
   std::optional<double> thickness{};      // [mm] of all layers together
 };
 
+// An edge length, or a number of segments, for some edges and faces.
+struct SizeSpec {
+  std::vector<EdgeId> edges;
+  std::vector<FaceId> faces;
+  std::optional<double> size;     // [mm]
+  std::optional<int> segments;    // along each of the edges
+  std::optional<double> cluster;  // last segment of an edge / its first one, in geometric steps
+  bool both_ends = false;         // clustered towards both: the ratio is that of middle to ends
+};
+
+// Finer about a point.
+struct Refinement {
+  Vec3 point = Vec3::Zero();
+  double size = 0.0;    // [mm] within `radius` of the point; grows by size_growth from there
+  double radius = 0.0;  // [mm]
+};
+
 struct Settings {
   double size = 0.0;          // target edge length [mm]; a segment may be a tenth longer
   double first_height = 0.0;  // [mm]
@@ -34,6 +51,9 @@ struct Settings {
   int layers = 0;                 // for EndOfGrowth::kLayers
   double feature_angle = 0.0;     // [deg]; 0: every CAD face is a patch of its own
   double curvature_angle = 20.0;  // [deg] an edge segment or triangle side may turn
+  double size_growth = 1.4;       // neighbouring edges differ by no more through size alone
+  std::vector<SizeSpec> sizes;
+  std::vector<Refinement> refinements;
   CoreElements core = CoreElements::kQuads;
   bool walls_all = true;
   std::vector<WallSpec> walls;

@@ -256,7 +256,7 @@ class FrontalInsertion {
       const LiftedVertex& corner = sheet_.vertex(v[i]);
       const Vec2 d = p - mesh().point(v[i]);
       distance[i] = std::sqrt((corner.metric + candidate.metric).squared(d) / 2);
-      size = std::min(size, corner.size + kGradation * distance[i]);
+      size = std::min(size, corner.size + sheet_.gradation() * distance[i]);
     }
     if (*std::min_element(distance.begin(), distance.end()) < kClosest * size) return true;
     for (int i = 0; i < 3; ++i) {

@@ -146,7 +146,7 @@ int LiftedTriangulation::add_vertex(const Vec2& p, std::initializer_list<int> ne
   double upper = std::numeric_limits<double>::infinity();
   vertices_.push_back(v);
   for (const int n : near) {
-    const double change = kGradation * std::sqrt(squared_length(index, n));
+    const double change = gradation() * std::sqrt(squared_length(index, n));
     v.least = std::max(v.least, vertex(n).least - change);
     upper = std::min(upper, vertex(n).size + change);
   }
@@ -203,13 +203,13 @@ void LiftedTriangulation::settle(int v) {
   LiftedVertex& center = vertices_[static_cast<std::size_t>(v)];
   for (const Side& s : pending_) {
     const int n = mesh_.from(s);
-    const double change = kGradation * std::sqrt(squared_length(v, n));
+    const double change = gradation() * std::sqrt(squared_length(v, n));
     center.size = std::min(center.size, vertex(n).size + change);
   }
   for (const Side& s : pending_) {
     LiftedVertex& beside = vertices_[static_cast<std::size_t>(mesh_.from(s))];
     if (beside.node.valid()) continue;
-    const double change = kGradation * std::sqrt(squared_length(v, mesh_.from(s)));
+    const double change = gradation() * std::sqrt(squared_length(v, mesh_.from(s)));
     beside.size = std::min(beside.size, center.size + change);
   }
 }

@@ -56,6 +56,7 @@ class LiftedTriangulation {
 
   const FaceSheet& sheet() const { return sheet_; }
   const PlanarTriangulation& mesh() const { return mesh_; }
+  double gradation() const { return target_.gradation(); }  // of sizes, per length
   const LiftedVertex& vertex(int v) const { return vertices_[static_cast<std::size_t>(v)]; }
   // Raised whenever a triangle changes.
   unsigned version(int t) const { return versions_[static_cast<std::size_t>(t)]; }

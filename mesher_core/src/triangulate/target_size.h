@@ -2,12 +2,9 @@
 #pragma once
 
 #include "geometry/evaluator.h"
-#include "sizing/settings.h"
+#include "sizing/size_field.h"
 
 namespace advlayers {
-
-// Change of the wanted length per length [1].
-inline constexpr double kGradation = 0.35;
 
 class TargetSize {
  public:
@@ -18,15 +15,18 @@ class TargetSize {
   // refinement.
   double at(const SurfacePoint& p);
 
-  // What at() never goes below on the face [mm].
+  // What curvature alone never asks less than on the face [mm].
   double least(FaceId face) const;
+
+  // Change of the wanted length per length [1].
+  double gradation() const { return sizes_.slope(); }
 
   // The size, or the square root of the face's area if that is less [mm].
   double extent(FaceId face) const;
 
  private:
   Evaluator* evaluator_;
-  double size_;
+  SizeField sizes_;
   double chord_of_unit_radius_;
 };
 

@@ -1,0 +1,35 @@
+// The edge length asked for at a place, before curvature: of all, of faces and edges of their own,
+// and about points of refinement.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "sizing/settings.h"
+
+namespace advlayers {
+
+class SizeField {
+ public:
+  explicit SizeField(const Settings& settings);
+
+  double of_face(FaceId face) const;  // [mm]
+  // That of the edge itself, or the least of the faces beside it [mm].
+  double of_edge(EdgeId edge, const std::vector<FaceId>& beside) const;
+  // What an edge of its own asks for, or none.
+  const SizeSpec* edge_spec(EdgeId edge) const;
+  // `size`, or less near a point of refinement [mm].
+  double near(const Vec3& p, double size) const;
+  // Change of the size per length [1]: neighbours differ by no more than `size_growth`.
+  double slope() const { return slope_; }
+  bool refined() const { return !refinements_.empty(); }
+
+ private:
+  double size_;
+  double slope_;
+  std::vector<Refinement> refinements_;
+  std::unordered_map<FaceId, double> faces_;
+  std::unordered_map<EdgeId, SizeSpec> edges_;
+};
+
+}  // namespace advlayers
