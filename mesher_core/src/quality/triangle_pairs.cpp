@@ -9,10 +9,10 @@
 namespace advlayers {
 namespace {
 
-constexpr int kKeptLayers = 2;  // their quads stay
-constexpr std::size_t kSearchLimit = 60, kMostGoals = 4;
+constexpr int kKeptLayers = 1;  // their quads stay
+constexpr std::size_t kSearchLimit = 120, kMostGoals = 8;
 constexpr std::size_t kLongestPath = 7;  // faces, with both triangles
-constexpr double kLeastQuad = 0.2;       // corners of 37 to 143 degrees: smoothing comes after
+constexpr double kLeastQuad = 0.06;      // corners of 20 to 160 degrees, before smoothing
 constexpr double kGoodQuad = 0.4;
 constexpr double kLostQuad = 0.04;    // what a quad of a layer is worth
 constexpr double kLongestSide = 1.3;  // of new quads, in longest sides of the disc
