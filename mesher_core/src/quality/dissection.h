@@ -8,7 +8,7 @@
 
 namespace advlayers {
 
-inline constexpr std::size_t kMostCorners = 16;
+inline constexpr std::size_t kMostCorners = 14;
 
 struct Dissection {
   double worst = -1.0;  // quality of the worst quad, see quad_quality; -1: there is none

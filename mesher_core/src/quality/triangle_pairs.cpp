@@ -14,7 +14,7 @@ constexpr std::size_t kSearchLimit = 120, kMostGoals = 8;
 constexpr std::size_t kLongestPath = 7;  // faces, with both triangles
 constexpr double kLeastQuad = 0.06;      // corners of 20 to 160 degrees, before smoothing
 constexpr double kGoodQuad = 0.4;
-constexpr double kLostQuad = 0.04;    // what a quad of a layer is worth
+constexpr double kLostQuad = 0.02;    // what a quad of a layer is worth
 constexpr double kLongestSide = 1.3;  // of new quads, in longest sides of the disc
 
 using Faces = std::vector<FaceH>;
@@ -44,6 +44,9 @@ class PairCloser {
   void find_goals(FaceH start);
   void try_path(FaceH start, FaceH goal);
   void consider(const Faces& disc);
+  bool consider_loop(const Faces& disc, const std::vector<VertexH>& loop, double lost);
+  template <class Visit>
+  void for_each_spoke(const Faces& disc, const Visit& visit) const;
   std::vector<Faces> runs_beside(const Faces& disc) const;
   Faces neighbours(const Faces& disc) const;
   bool find_loop(const Faces& disc);
@@ -116,11 +119,37 @@ void PairCloser::consider(const Faces& disc) {
   if (!find_loop(disc)) return;
   double lost = 0.0;
   for (const FaceH f : disc) lost += mesh_.data(f).layer > 0 ? kLostQuad : 0.0;
+  if (consider_loop(disc, loop_, lost)) return;
+  for_each_spoke(disc, [&](std::size_t rim, VertexH hub) {
+    std::vector<VertexH> slit = loop_;
+    const auto at = slit.begin() + static_cast<std::ptrdiff_t>(rim);
+    slit.insert(at + 1, {hub, *at});
+    consider_loop(disc, slit, lost);
+  });
+}
+
+bool PairCloser::consider_loop(const Faces& disc, const std::vector<VertexH>& loop, double lost) {
+  if (loop.size() > kMostCorners) return false;
   const double least = std::max(kLeastQuad, best_.score + lost);
-  Dissection found = dissect(mesh_, loop_, kLongestSide * longest_, least);
-  if (found.worst - lost <= best_.score || found.quads.empty()) return;
-  if (mesh_.replace_veto(disc, found.quads) != Veto::kNone) return;
+  Dissection found = dissect(mesh_, loop, kLongestSide * longest_, least);
+  if (found.worst - lost <= best_.score || found.quads.empty()) return false;
+  if (mesh_.replace_veto(disc, found.quads) != Veto::kNone) return false;
   best_ = {found.worst - lost, disc, std::move(found.quads)};
+  return true;
+}
+
+// The edges of the disc from its loop to a vertex inside it: cut open along one, the disc keeps
+// that vertex.
+template <class Visit>
+void PairCloser::for_each_spoke(const Faces& disc, const Visit& visit) const {
+  for (const FaceH f : disc) {
+    for_each_side(mesh_, f, [&](HalfedgeH h) {
+      const auto rim = std::find(loop_.begin(), loop_.end(), mesh_.from(h));
+      const VertexH hub = mesh_.to(h);
+      if (rim == loop_.end() || std::find(loop_.begin(), loop_.end(), hub) != loop_.end()) return;
+      visit(static_cast<std::size_t>(rim - loop_.begin()), hub);
+    });
+  }
 }
 
 Faces PairCloser::neighbours(const Faces& disc) const {
