@@ -5,442 +5,442 @@
     <name>AdvLayersPreferences</name>
     <message>
         <source> deg</source>
-        <translation type="unfinished"></translation>
+        <translation> deg</translation>
     </message>
     <message>
         <source>Core</source>
-        <translation type="unfinished"></translation>
+        <translation>Cœur</translation>
     </message>
     <message>
         <source>Curvature angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle de courbure</translation>
     </message>
     <message>
         <source>Defaults of a new layer mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs par défaut d'un nouveau maillage en couches</translation>
     </message>
     <message>
         <source>Draw the layers as they grow</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessiner les couches pendant leur croissance</translation>
     </message>
     <message>
         <source>Each layer of a new mesh is this much higher than the one before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque couche d'un nouveau maillage est plus haute que la précédente de ce facteur.</translation>
     </message>
     <message>
         <source>Faces that meet at an angle below this are meshed as one patch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les faces qui se rencontrent sous un angle plus petit sont maillées d'un seul tenant.</translation>
     </message>
     <message>
         <source>Feature angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle d'arête vive</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Général</translation>
     </message>
     <message>
         <source>Grow until isotropic</source>
-        <translation type="unfinished"></translation>
+        <translation>Croître jusqu'à l'isotropie</translation>
     </message>
     <message>
         <source>Grows each layer of a new mesh until its height reaches the spacing along the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fait croître les couches d'un nouveau maillage jusqu'à ce que leur hauteur atteigne l'espacement le long de la paroi.</translation>
     </message>
     <message>
         <source>Growth</source>
-        <translation type="unfinished"></translation>
+        <translation>Croissance</translation>
     </message>
     <message>
         <source>How often the growing mesh is drawn, at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de fois au plus le maillage croissant est dessiné.</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Couches</translation>
     </message>
     <message>
         <source>Meshing</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillage</translation>
     </message>
     <message>
         <source>Number of layers of a new mesh; 0 grows them until the fronts close.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de couches d'un nouveau maillage ; avec 0, elles croissent jusqu'à ce que les fronts se ferment.</translation>
     </message>
     <message>
         <source>Pictures per second</source>
-        <translation type="unfinished"></translation>
+        <translation>Images par seconde</translation>
     </message>
     <message>
         <source>Shows the mesh in the 3D view while it is being made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Montre le maillage dans la vue 3D pendant sa création.</translation>
     </message>
     <message>
         <source>The most that one element edge may turn along a curved edge or face.</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien au plus une arête d'élément peut tourner le long d'une arête ou d'une face courbe.</translation>
     </message>
     <message>
         <source>Threads</source>
-        <translation type="unfinished"></translation>
+        <translation>Fils d'exécution</translation>
     </message>
     <message>
         <source>Threads to mesh with; 0 uses all processors. The mesh does not depend on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fils d'exécution pour mailler ; 0 utilise tous les processeurs. Le maillage n'en dépend pas.</translation>
     </message>
     <message>
         <source>What fills the part of a new mesh that no layer reaches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui remplit la partie d'un nouveau maillage qu'aucune couche n'atteint.</translation>
     </message>
     <message>
         <source>quads</source>
-        <translation type="unfinished"></translation>
+        <translation>quadrangles</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>triangles</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_Check</name>
     <message>
         <source>Check Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Vérifier le maillage</translation>
     </message>
     <message>
         <source>Lists what is to be said about the mesh: lost references, diagnostics, worst elements</source>
-        <translation type="unfinished"></translation>
+        <translation>Énumère ce qu'il y a à dire du maillage : références perdues, diagnostics, pires éléments</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_Export</name>
     <message>
         <source>Export Mesh…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter le maillage…</translation>
     </message>
     <message>
         <source>Writes the mesh to a file with all of its quads, triangles and groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrit le maillage dans un fichier avec tous ses quadrangles, triangles et groupes</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_FillVolume</name>
     <message>
         <source>Fill with Tetrahedra</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplir de tétraèdres</translation>
     </message>
     <message>
         <source>Fills the inside of a closed layer mesh with tetrahedra, using Gmsh</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplit l'intérieur d'un maillage en couches fermé de tétraèdres, à l'aide de Gmsh</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_Group</name>
     <message>
         <source>Groups the selected faces and edges under a name, for boundary conditions: the label of the new object, which may be changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Regroupe les faces et arêtes sélectionnées sous un nom, pour les conditions aux limites : l'étiquette du nouvel objet, qui peut être modifiée</translation>
     </message>
     <message>
         <source>Named Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Groupe nommé</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_LayerMesh</name>
     <message>
         <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Crée un maillage surfacique, surtout de quadrangles, de la forme ou des faces sélectionnées, avec des couches le long de ses arêtes</translation>
     </message>
     <message>
         <source>Layer Mesh…</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillage en couches…</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_Size</name>
     <message>
         <source>Sets the size of the mesh on the selected faces and edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixe la taille du maillage sur les faces et arêtes sélectionnées</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_TakeOver</name>
     <message>
         <source>Makes a layer mesh with the sizes, boundary layers, regions and groups of the selected Gmsh mesh, and puts it in its place in the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Fait un maillage en couches avec les tailles, couches limites, régions et groupes du maillage Gmsh sélectionné, et le met à sa place dans l'analyse</translation>
     </message>
     <message>
         <source>Take over from Gmsh Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Reprendre d'un maillage Gmsh</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_ToMesh</name>
     <message>
         <source>Convert to Triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Convertir en triangles</translation>
     </message>
     <message>
         <source>Makes a Mesh object of the layer mesh, each quad as two triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Fait du maillage en couches un objet Mesh, chaque quadrangle en deux triangles</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_Update</name>
     <message>
         <source>Meshes the selected layer meshes again, or all of the document that are out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>Remaille les maillages en couches sélectionnés, ou tous ceux du document qui sont périmés</translation>
     </message>
     <message>
         <source>Update Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Actualiser le maillage</translation>
     </message>
 </context>
 <context>
     <name>AdvLayers_Wall</name>
     <message>
         <source>Gives the selected edges, or the edges of the selected faces, layers of their own height, growth and number</source>
-        <translation type="unfinished"></translation>
+        <translation>Donne aux arêtes sélectionnées, ou aux arêtes des faces sélectionnées, des couches de hauteur, de croissance et de nombre propres</translation>
     </message>
     <message>
         <source>Wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Paroi</translation>
     </message>
 </context>
 <context>
     <name>AdvancingLayers</name>
     <message>
         <source>Export Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter le maillage</translation>
     </message>
     <message>
         <source>Select faces or edges of the meshed shape first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionnez d'abord des faces ou des arêtes de la forme maillée.</translation>
     </message>
     <message>
         <source>Select one Gmsh mesh first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionnez d'abord un maillage Gmsh.</translation>
     </message>
     <message>
         <source>Select one layer mesh first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionnez d'abord un maillage en couches.</translation>
     </message>
     <message>
         <source>Select the layer mesh as well: there are several.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionnez aussi le maillage en couches : il y en a plusieurs.</translation>
     </message>
     <message>
         <source>Select the shape to mesh, or some of its faces, first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionnez d'abord la forme à mailler, ou quelques-unes de ses faces.</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter</translation>
     </message>
     <message>
         <source>There is nothing to complain of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a rien à redire.</translation>
     </message>
     <message>
         <source>{label}: layer {layer}, {elements} elements, {seconds} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{label} : couche {layer}, {elements} éléments, {seconds} s</translation>
     </message>
 </context>
 <context>
     <name>App::Property</name>
     <message>
         <source>As above, for this wall. 0: not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme ci-dessus, pour cette paroi. 0 : non précisé.</translation>
     </message>
     <message>
         <source>As above, for this wall: a number. -1: not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme ci-dessus, pour cette paroi : un nombre. -1 : non précisé.</translation>
     </message>
     <message>
         <source>Corner angles from 45 to 135 degrees [%].</source>
-        <translation type="unfinished"></translation>
+        <translation>Angles des coins de 45 à 135 degrés [%].</translation>
     </message>
     <message>
         <source>Each layer is this much higher than the one before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque couche est plus haute que la précédente de ce facteur.</translation>
     </message>
     <message>
         <source>Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the shape's bounding box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur des arêtes du maillage hors des couches. Par défaut : 1/40 de la diagonale de la boîte englobante de la forme.</translation>
     </message>
     <message>
         <source>Edge length of the mesh. 0: not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur des arêtes du maillage. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Elements turned over against the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Éléments retournés par rapport à la surface.</translation>
     </message>
     <message>
         <source>Faces that meet at an angle below this are meshed as one patch; layers run across the edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed with 20.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les faces qui se rencontrent sous un angle plus petit sont maillées d'un seul tenant ; les couches traversent l'arête entre elles. Avec 0, chaque face CAO est maillée pour elle-même ; un fichier STL est maillé avec 20.</translation>
     </message>
     <message>
         <source>Height of the first layer, measured along the surface. Default: 1/10 of size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur de la première couche, mesurée le long de la surface. Par défaut : 1/10 de la taille.</translation>
     </message>
     <message>
         <source>How far the height of each element of a layer is from the one asked for, relative to it; NaN for the core.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart de la hauteur de chaque élément d'une couche à celle demandée, rapporté à celle-ci ; NaN pour le cœur.</translation>
     </message>
     <message>
         <source>Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les couches croissent depuis chaque arête de bord, tant qu'aucune paroi du maillage ne dit autre chose.</translation>
     </message>
     <message>
         <source>Meshes again whenever a recompute finds the mesh out of date.</source>
-        <translation type="unfinished"></translation>
+        <translation>Remaille chaque fois qu'un recalcul trouve le maillage périmé.</translation>
     </message>
     <message>
         <source>Nodes of the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds du maillage.</translation>
     </message>
     <message>
         <source>Number of layers; 0 grows them until the fronts close; "isotropic" grows each until its height reaches the spacing along the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de couches ; avec 0, elles croissent jusqu'à ce que les fronts se ferment ; avec « isotropic », jusqu'à ce que leur hauteur atteigne l'espacement le long de la paroi.</translation>
     </message>
     <message>
         <source>Number of mesh edges along each of the edges. 0: not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre d'arêtes du maillage le long de chacune des arêtes. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Points of the shape that was meshed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Points de la forme maillée.</translation>
     </message>
     <message>
         <source>Quads among all elements [%].</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadrangles parmi tous les éléments [%].</translation>
     </message>
     <message>
         <source>Quads of the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadrangles du maillage.</translation>
     </message>
     <message>
         <source>Ratio of the last mesh edge along a CAD edge to the first. 0: not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapport de la dernière arête du maillage le long d'une arête CAO à la première. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Tells this mesh from the ones before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distingue ce maillage des précédents.</translation>
     </message>
     <message>
         <source>The CAD faces to mesh, by name, or all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les faces CAO à mailler, par leur nom, ou toutes.</translation>
     </message>
     <message>
         <source>The edges that the values hold for. With faces too: only on the side of those faces. Faces alone: all their boundary edges, on their side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les arêtes pour lesquelles valent les valeurs. Avec des faces : seulement du côté de ces faces. Des faces seules : toutes leurs arêtes de bord, de leur côté.</translation>
     </message>
     <message>
         <source>The faces and edges of the group; the mesh groups them under its label.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les faces et arêtes du groupe ; le maillage les regroupe sous son étiquette.</translation>
     </message>
     <message>
         <source>The faces and edges that the size holds for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les faces et arêtes pour lesquelles vaut la taille.</translation>
     </message>
     <message>
         <source>The group's name in the mesh; the label, unless another is given here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nom du groupe dans le maillage ; l'étiquette, sauf si un autre est donné ici.</translation>
     </message>
     <message>
         <source>The largest corner angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plus grand angle de coin.</translation>
     </message>
     <message>
         <source>The layer that each node was extruded in; else 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>La couche dans laquelle chaque nœud a été extrudé ; sinon 0.</translation>
     </message>
     <message>
         <source>The local sizes of the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les tailles locales du maillage.</translation>
     </message>
     <message>
         <source>The most that one element edge may turn along a curved edge or face; finer than size where the shape is curved.</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien au plus une arête d'élément peut tourner le long d'une arête ou d'une face courbe ; plus fin que la taille où la forme est courbe.</translation>
     </message>
     <message>
         <source>The named groups of the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les groupes nommés du maillage.</translation>
     </message>
     <message>
         <source>The node, counted from 0, that each node was extruded from; else -1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nœud, compté à partir de 0, dont chaque nœud a été extrudé ; sinon -1.</translation>
     </message>
     <message>
         <source>The object that is meshed.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'objet qui est maillé.</translation>
     </message>
     <message>
         <source>The object whose faces are meshed.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'objet dont les faces sont maillées.</translation>
     </message>
     <message>
         <source>The report of the mesh, as a job writes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le rapport du maillage, comme un travail l'écrit.</translation>
     </message>
     <message>
         <source>The settings that the mesh was made with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les réglages avec lesquels le maillage a été fait.</translation>
     </message>
     <message>
         <source>The smallest corner angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plus petit angle de coin.</translation>
     </message>
     <message>
         <source>The walls of the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les parois du maillage.</translation>
     </message>
     <message>
         <source>The way in which the object keeps its data.</source>
-        <translation type="unfinished"></translation>
+        <translation>La façon dont l'objet conserve ses données.</translation>
     </message>
     <message>
         <source>Threads to mesh with; 0 uses all processors. The mesh does not depend on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fils d'exécution pour mailler ; 0 utilise tous les processeurs. Le maillage n'en dépend pas.</translation>
     </message>
     <message>
         <source>Triangles of the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Triangles du maillage.</translation>
     </message>
     <message>
         <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wall : les couches croissent depuis les arêtes. Match : les couches d'autres parois courent le long d'elles. Off : ni l'un ni l'autre.</translation>
     </message>
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui remplit la partie qu'aucune couche n'atteint : des quadrangles où ils sont bons, ou des triangles.</translation>
     </message>
     <message>
         <source>What the faces looked like when they were picked.</source>
-        <translation type="unfinished"></translation>
+        <translation>À quoi ressemblaient les faces quand elles ont été choisies.</translation>
     </message>
     <message>
         <source>What the mesher had to say.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que le mailleur avait à dire.</translation>
     </message>
     <message>
         <source>What the references looked like when they were picked.</source>
-        <translation type="unfinished"></translation>
+        <translation>À quoi ressemblaient les références quand elles ont été choisies.</translation>
     </message>
     <message>
         <source>Whether the mesh fits the settings and the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si le maillage correspond aux réglages et à la forme.</translation>
     </message>
 </context>
 <context>
     <name>Workbench</name>
     <message>
         <source>Advancing Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Advancing Layers</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,64 @@
+"""German and French: the compiled files hold what the sources say, and the window speaks it."""
+import glob
+import os
+import re
+import string
+import sys
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+
+from advlayers_gui.resources import tr
+from window import ROOT, events
+
+sys.path.append(os.path.join(ROOT, "docs"))
+import make_translations  # noqa: E402
+
+SOURCES = sorted(glob.glob(os.path.join(make_translations.FOLDER, "advlayers_*.ts")))
+
+
+def test_there_are_two_languages():
+    assert [os.path.basename(path) for path in SOURCES] == ["advlayers_de.ts", "advlayers_fr.ts"]
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=os.path.basename)
+def test_the_compiled_file_holds_every_translation(path):
+    translator = QtCore.QTranslator()
+    assert translator.load(path[:-len(".ts")] + ".qm")
+    translations = make_translations.kept(path)
+    for (context, source), translation in translations.items():
+        assert translator.translate(context, source) == translation
+    missing = [text for text in make_translations.texts() if text not in translations]
+    assert len(missing) < 0.1 * len(translations), missing
+
+
+def fields(text):
+    return sorted(str(field) for _text, field, _form, _conversion in string.Formatter().parse(text)
+                  if field is not None)
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=os.path.basename)
+def test_translations_keep_what_is_filled_in(path):
+    for (_context, source), translation in make_translations.kept(path).items():
+        assert fields(translation) == fields(source), source
+        numbers = re.findall(r"\d+", source)
+        assert sorted(re.findall(r"\d+", translation)) == sorted(numbers), source
+
+
+def test_the_window_speaks_german():
+    FreeCADGui.activateWorkbench("AdvancingLayersWorkbench")
+    try:
+        FreeCADGui.setLocale("German")
+        events(0.2)
+        assert tr("Stop") == "Anhalten"
+        bar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, "Advancing Layers")
+        shown = {action.text() for action in bar.actions()}
+        assert {"Netz aktualisieren", "Wand"} <= shown
+        doc = "The object whose faces are meshed."
+        assert FreeCAD.Qt.translate("App::Property", doc).startswith("Das Objekt")
+    finally:
+        FreeCADGui.setLocale("English")
+        events(0.2)
+    assert tr("Stop") == "Stop"
