@@ -7,7 +7,7 @@ from typing import Any, List, Optional, Tuple
 
 import numpy as np
 
-from advlayers import element_mesh, layer_mesh
+from advlayers import analysis, element_mesh, layer_mesh
 from advlayers.report import shortfalls
 
 WORST = 10  # elements that are listed
@@ -31,6 +31,11 @@ def check(mesh_object) -> List[Finding]:
         return found + [Finding("warning", "There is no mesh yet.")]
     if mesh_object.State == layer_mesh.OUT_OF_DATE:
         found.append(Finding("warning", "The mesh is out of date: settings or model have changed."))
+    groups = {mesh_object.FemMesh.getGroupName(i) for i in mesh_object.FemMesh.Groups}
+    for name in set(analysis.constraint_groups(mesh_object)) - groups:
+        constraint = mesh_object.Document.getObject(name.rsplit("_", 1)[0])
+        found.append(Finding("warning", f"{constraint.Label} came after the mesh and does not act "
+                                        "on it: update the mesh."))
     if mesh_object.InvertedCount:
         found.append(Finding("error", f"{mesh_object.InvertedCount} elements are turned over."))
     if mesh_object.Details:

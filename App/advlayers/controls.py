@@ -252,6 +252,9 @@ def contributions(mesh_object) -> Dict[str, Any]:
     """What the children add up to, as a job would say it. Raises InputError for references that
     are none of the meshed object's."""
     source = mesh_object.Part
+    for child in children(mesh_object):
+        if not child.References:
+            raise InputError("References", f"of {child.Label} is empty: pick faces or edges")
     conditions: Dict[str, List[Any]] = {condition: [] for condition in CONDITIONS}
     for wall in mesh_object.WallList:
         conditions[wall.Condition].append(_wall(wall, source))

@@ -9,9 +9,9 @@ from __future__ import annotations
 import json
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Callable, Dict, List, Optional, Sequence
 
-from advlayers import cad_input, controls, fem_mesh, freshness, mesh_history, migrations
+from advlayers import analysis, cad_input, controls, fem_mesh, freshness, mesh_history, migrations
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.layer_heights import height_errors
@@ -146,6 +146,7 @@ class Task:
 
     brep: str
     made_from: MadeFrom
+    groups: Dict[str, Sequence[str]]  # named ones, and those that constraints of analyses need
 
     def make_mesher(self, core):
         """Reads the shape; may run in any thread. Raises what the core raises."""
@@ -153,7 +154,7 @@ class Task:
         return core.Mesher(model, core_settings(core, self.made_from.settings, model.diagonal))
 
     def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):
-        return fem_mesh.to_fem_mesh(mesh, self.made_from.settings["groups"], check)
+        return fem_mesh.to_fem_mesh(mesh, self.groups, check)
 
 
 def prepare(document_object) -> Task:
@@ -162,7 +163,8 @@ def prepare(document_object) -> Task:
     check_references(document_object)
     origin = made_from(document_object)
     check_names(origin.settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
-    return Task(shape.exportBrepToString(), origin)
+    groups = {**origin.settings["groups"], **analysis.constraint_groups(document_object)}
+    return Task(shape.exportBrepToString(), origin, groups)
 
 
 def made_from(document_object) -> MadeFrom:
