@@ -68,9 +68,16 @@ def _of_tables():
     for entry in table.MESH_SETTINGS:
         if entry.property:
             yield PROPERTY, entry.doc
+            yield WINDOW, _label(entry)
     for entry in table.WALL_SETTINGS + table.SIZE_SETTINGS:
         if entry.key not in ("edges", "faces"):
             yield PROPERTY, table.optional_doc(entry)
+            yield WINDOW, _label(entry)
+
+
+def _label(entry):
+    """As the forms show a setting."""
+    return entry.key.replace("_", " ").capitalize()
 
 
 def _of_form(path):

@@ -294,7 +294,7 @@ def from_settings(mesh_object, settings: Mapping[str, Any]) -> None:
     for condition in CONDITIONS[1:]:
         if settings[condition.lower()]:
             make(Wall, mesh_object, settings[condition.lower()], condition, condition)
-    for entry in settings.get("sizes", ()):
+    for entry in settings["sizes"]:
         _make_entry(Size, mesh_object, entry)
     for name, members in settings["groups"].items():
         make_group(mesh_object, name, members)

@@ -155,8 +155,8 @@ WALL_SETTINGS = (
         "faces", "faces_only", (),
         "Layers grow on these faces only. Default: on every side of the edges.",
     ),
-    Setting("first_height", "number", None, "As above, for this wall.", unit="mm", low=0.0,
-            low_open=True),
+    Setting("first_height", "number", None, "Height of this wall's first layer.", unit="mm",
+            low=0.0, low_open=True),
     Setting(
         "end_height", "number", None,
         "The first height at the end of each edge; it changes linearly along the edge, from "
@@ -175,8 +175,10 @@ WALL_SETTINGS = (
         "height; the height is size where the wall is straight.",
         unit="deg", low=0.0, low_open=True, high=90.0,
     ),
-    Setting("growth", "number", None, "As above, for this wall.", low=1.0),
-    Setting("layers", "count", None, "As above, for this wall: a number.", low=0),
+    Setting("growth", "number", None, "Each layer of this wall is this much higher than the one "
+            "before it.", low=1.0),
+    Setting("layers", "count", None, "Number of this wall's layers; 0 grows them until the "
+            "fronts close.", low=0),
     Setting(
         "thickness", "number", None,
         "Height of all layers together. With two of first_height, growth and layers it gives the "
@@ -239,5 +241,7 @@ def unset_value(entry: Setting) -> Union[str, int]:
 
 def optional_doc(entry: Setting) -> str:
     """The tooltip of a value that need not be given."""
+    if entry.kind == "flag":
+        return entry.doc
     unset = unset_value(entry)
     return f"{entry.doc} {'Empty' if unset == '' else unset}: not given."

@@ -213,8 +213,180 @@
 <context>
     <name>AdvancingLayers</name>
     <message>
+        <source>A click shows the place</source>
+        <translation>Ein Klick zeigt die Stelle</translation>
+    </message>
+    <message>
+        <source>A named group of the selected faces and edges</source>
+        <translation>Eine benannte Gruppe der gewählten Flächen und Kanten</translation>
+    </message>
+    <message>
+        <source>A size of their own for the selected faces and edges</source>
+        <translation>Eine eigene Elementgröße für die gewählten Flächen und Kanten</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds what is selected in the 3D view</source>
+        <translation>Fügt hinzu, was in der 3D-Ansicht gewählt ist</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>Seitenverhältnis</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>Beide Enden</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Verdichtung</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Core</source>
+        <translation>Kern</translation>
+    </message>
+    <message>
+        <source>Curvature angle</source>
+        <translation>Krümmungswinkel</translation>
+    </message>
+    <message>
+        <source>End height</source>
+        <translation>Endhöhe</translation>
+    </message>
+    <message>
         <source>Export Mesh</source>
         <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Face edges</source>
+        <translation>Kanten der Fläche</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Faces of {}</source>
+        <translation>Flächen von {}</translation>
+    </message>
+    <message>
+        <source>Feature angle</source>
+        <translation>Kantenwinkel</translation>
+    </message>
+    <message>
+        <source>Finishing the core</source>
+        <translation>Der Kern wird vollendet</translation>
+    </message>
+    <message>
+        <source>First height</source>
+        <translation>Erste Höhe</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Layer Mesh</source>
+        <translation>Schichtnetz</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Layers from all edges</source>
+        <translation>Schichten von allen Kanten</translation>
+    </message>
+    <message>
+        <source>Layers grow from the selected edges; with faces selected too, on these alone</source>
+        <translation>Schichten wachsen von den gewählten Kanten; sind auch Flächen gewählt, nur auf diesen</translation>
+    </message>
+    <message>
+        <source>Layers run along the selected edges</source>
+        <translation>Schichten laufen an den gewählten Kanten entlang</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Vernetzen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>No layers at the selected edges</source>
+        <translation>Keine Schichten an den gewählten Kanten</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Patch {patch} of {patches} · layer {layer}</source>
+        <translation>Teilfläche {patch} von {patches} · Schicht {layer}</translation>
+    </message>
+    <message>
+        <source>Refinements</source>
+        <translation>Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the marked row</source>
+        <translation>Entfernt die markierte Zeile</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>Select faces and edges in the 3D view.</source>
+        <translation>Wählen Sie Flächen und Kanten in der 3D-Ansicht.</translation>
     </message>
     <message>
         <source>Select faces or edges of the meshed shape first.</source>
@@ -237,27 +409,199 @@
         <translation>Wählen Sie zuerst die Form, die zu vernetzen ist, oder einige ihrer Flächen.</translation>
     </message>
     <message>
+        <source>Selected: {}</source>
+        <translation>Gewählt: {}</translation>
+    </message>
+    <message>
+        <source>Selects all edges of the selected faces</source>
+        <translation>Wählt alle Kanten der gewählten Flächen</translation>
+    </message>
+    <message>
+        <source>Selects the edges that go on from the selected ones without a corner</source>
+        <translation>Wählt die Kanten, die die gewählten ohne Ecke fortsetzen</translation>
+    </message>
+    <message>
+        <source>Selects the whole loop of the selected edges; with a face selected too, that on the face</source>
+        <translation>Wählt den ganzen Ring der gewählten Kanten; ist auch eine Fläche gewählt, den auf der Fläche</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Elementgröße</translation>
+    </message>
+    <message>
+        <source>Size growth</source>
+        <translation>Größenwachstum</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stopped; the mesh is the one before.</source>
+        <translation>Angehalten; das Netz ist das vorige.</translation>
+    </message>
+    <message>
+        <source>Takes the marked rows off the list</source>
+        <translation>Nimmt die markierten Zeilen von der Liste</translation>
+    </message>
+    <message>
+        <source>Tangent</source>
+        <translation>Tangential</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet.</source>
+        <translation>Es gibt noch kein Netz.</translation>
     </message>
     <message>
         <source>There is nothing to complain of.</source>
         <translation>Es gibt nichts zu beanstanden.</translation>
     </message>
     <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Triangulating · {seconds:.1f} s</source>
+        <translation>Dreiecke werden erzeugt · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>Turning angle</source>
+        <translation>Drehwinkel</translation>
+    </message>
+    <message>
+        <source>Until isotropic</source>
+        <translation>Bis isotrop</translation>
+    </message>
+    <message>
+        <source>Until the fronts meet</source>
+        <translation>Bis die Fronten sich treffen</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>a face</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>all faces</source>
+        <translation>alle Flächen</translation>
+    </message>
+    <message>
+        <source>all layers made</source>
+        <translation>alle Schichten gebaut</translation>
+    </message>
+    <message>
+        <source>an edge</source>
+        <translation>eine Kante</translation>
+    </message>
+    <message>
+        <source>another front is too near</source>
+        <translation>eine andere Front ist zu nah</translation>
+    </message>
+    <message>
+        <source>as high as wide</source>
+        <translation>so hoch wie breit</translation>
+    </message>
+    <message>
+        <source>element {} {}: quality {:.2f}</source>
+        <translation>Element {} {}: Güte {:.2f}</translation>
+    </message>
+    <message>
+        <source>element {}: quality {:.2f}</source>
+        <translation>Element {}: Güte {:.2f}</translation>
+    </message>
+    <message>
+        <source>in layer {}</source>
+        <translation>in Schicht {}</translation>
+    </message>
+    <message>
+        <source>in the core</source>
+        <translation>im Kern</translation>
+    </message>
+    <message>
+        <source>joined with its neighbour</source>
+        <translation>mit dem Nachbarn verschmolzen</translation>
+    </message>
+    <message>
+        <source>no valid element fits</source>
+        <translation>kein gültiges Element passt</translation>
+    </message>
+    <message>
+        <source>pick a face or an edge of {}</source>
+        <translation>wählen Sie eine Fläche oder Kante von {}</translation>
+    </message>
+    <message>
+        <source>select faces or edges in the 3D view first</source>
+        <translation>wählen Sie zuerst Flächen oder Kanten in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>select in the 3D view first: {}</source>
+        <translation>wählen Sie zuerst in der 3D-Ansicht: {}</translation>
+    </message>
+    <message>
+        <source>select {} first</source>
+        <translation>wählen Sie zuerst {}</translation>
+    </message>
+    <message>
+        <source>the fronts have met</source>
+        <translation>die Fronten sind zusammengetroffen</translation>
+    </message>
+    <message>
+        <source>{edge} on {face} has no layer</source>
+        <translation>{edge} auf {face} hat keine Schicht</translation>
+    </message>
+    <message>
+        <source>{edge} on {face}: layers end here first: {reason}</source>
+        <translation>{edge} auf {face}: hier enden Schichten zuerst: {reason}</translation>
+    </message>
+    <message>
+        <source>{edge} on {face}: the first height is most off here, by {error:+.1f} %</source>
+        <translation>{edge} auf {face}: die erste Höhe weicht hier am meisten ab, um {error:+.1f} %</translation>
+    </message>
+    <message>
         <source>{label}: layer {layer}, {elements} elements, {seconds} s</source>
         <translation>{label}: Schicht {layer}, {elements} Elemente, {seconds} s</translation>
+    </message>
+    <message>
+        <source>{quads} quads and {triangles} triangles ({percent:.1f} % quads) in {seconds:.1f} s</source>
+        <translation>{quads} Vierecke und {triangles} Dreiecke ({percent:.1f} % Vierecke) in {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s</source>
+        <translation>{stage} · {elements} Elemente · {percent:.1f} % Vierecke · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{} elements of quality {:.2f} to {:.2f}</source>
+        <translation>{} Elemente mit Güte {:.2f} bis {:.2f}</translation>
+    </message>
+    <message>
+        <source>{} is no part of {}, which is meshed</source>
+        <translation>{} ist kein Teil von {}, das vernetzt wird</translation>
+    </message>
+    <message>
+        <source>{} is on the list already</source>
+        <translation>{} steht schon auf der Liste</translation>
     </message>
 </context>
 <context>
     <name>App::Property</name>
     <message>
-        <source>As above, for this wall. 0: not given.</source>
-        <translation>Wie oben, für diese Wand. 0: nicht angegeben.</translation>
-    </message>
-    <message>
-        <source>As above, for this wall: a number. -1: not given.</source>
-        <translation>Wie oben, für diese Wand: eine Zahl. -1: nicht angegeben.</translation>
+        <source>Clusters towards both ends: the ratio is then that of the middle to the ends.</source>
+        <translation>Verdichtet zu beiden Enden hin: das Verhältnis ist dann das der Mitte zu den Enden.</translation>
     </message>
     <message>
         <source>Corner angles from 45 to 135 degrees [%].</source>
@@ -266,6 +610,10 @@
     <message>
         <source>Each layer is this much higher than the one before it.</source>
         <translation>Jede Schicht ist um diesen Faktor höher als die vorige.</translation>
+    </message>
+    <message>
+        <source>Each layer of this wall is this much higher than the one before it. 0: not given.</source>
+        <translation>Jede Schicht dieser Wand ist um diesen Faktor höher als die vorige. 0: nicht angegeben.</translation>
     </message>
     <message>
         <source>Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the shape's bounding box.</source>
@@ -284,12 +632,28 @@
         <translation>Flächen, die sich in einem kleineren Winkel treffen, werden als eine Teilfläche vernetzt; Schichten laufen über die Kante zwischen ihnen hinweg. Bei 0 ist jede CAD-Fläche eine Teilfläche für sich; eine STL-Datei wird mit 20 vernetzt.</translation>
     </message>
     <message>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>
+        <translation>Höhe aller Schichten zusammen. Mit zweien von first_height, growth und layers ergibt sie das dritte; sind weniger angegeben, treten die des Auftrags ein, und layers wird zuerst berechnet. 0: nicht angegeben.</translation>
+    </message>
+    <message>
         <source>Height of the first layer, measured along the surface. Default: 1/10 of size.</source>
         <translation>Höhe der ersten Schicht, entlang der Oberfläche gemessen. Vorgabe: 1/10 der Elementgröße.</translation>
     </message>
     <message>
+        <source>Height of this wall's first layer. 0: not given.</source>
+        <translation>Höhe der ersten Schicht dieser Wand. 0: nicht angegeben.</translation>
+    </message>
+    <message>
         <source>How far the height of each element of a layer is from the one asked for, relative to it; NaN for the core.</source>
         <translation>Wie weit die Höhe jedes Elements einer Schicht von der verlangten abweicht, bezogen auf diese; NaN für den Kern.</translation>
+    </message>
+    <message>
+        <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight. 0: not given.</source>
+        <translation>Statt first_height: der Winkel, um den sich die Wand über die Länge einer ersten Höhe dreht; wo die Wand gerade ist, ist die Höhe die Elementgröße. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Instead of first_height: the length of the mesh edges along the wall over the first height, everywhere. 0: not given.</source>
+        <translation>Statt first_height: die Länge der Netzkanten entlang der Wand durch die erste Höhe, überall. 0: nicht angegeben.</translation>
     </message>
     <message>
         <source>Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise.</source>
@@ -312,6 +676,14 @@
         <translation>Zahl der Netzkanten entlang jeder der Kanten. 0: nicht angegeben.</translation>
     </message>
     <message>
+        <source>Number of this wall's layers; 0 grows them until the fronts close. -1: not given.</source>
+        <translation>Zahl der Schichten dieser Wand; bei 0 wachsen sie, bis die Fronten sich schließen. -1: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Points about which the mesh is finer; as a property, texts of five numbers: x y z size radius.</source>
+        <translation>Punkte, um die das Netz feiner ist; als Eigenschaft Texte aus fünf Zahlen: x y z Größe Radius.</translation>
+    </message>
+    <message>
         <source>Points of the shape that was meshed.</source>
         <translation>Punkte der vernetzten Form.</translation>
     </message>
@@ -324,8 +696,8 @@
         <translation>Vierecke des Netzes.</translation>
     </message>
     <message>
-        <source>Ratio of the last mesh edge along a CAD edge to the first. 0: not given.</source>
-        <translation>Verhältnis der letzten Netzkante entlang einer CAD-Kante zur ersten. 0: nicht angegeben.</translation>
+        <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps. 0: not given.</source>
+        <translation>Verhältnis der letzten Netzkante entlang einer CAD-Kante zur ersten, in geometrischen Schritten. 0: nicht angegeben.</translation>
     </message>
     <message>
         <source>Tells this mesh from the ones before it.</source>
@@ -348,6 +720,10 @@
         <translation>Die Flächen und Kanten, für die die Elementgröße gilt.</translation>
     </message>
     <message>
+        <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex. 0: not given.</source>
+        <translation>Die erste Höhe am Ende jeder Kante; sie ändert sich linear entlang der Kante, ausgehend von first_height am ersten Eckpunkt. 0: nicht angegeben.</translation>
+    </message>
+    <message>
         <source>The group's name in the mesh; the label, unless another is given here.</source>
         <translation>Der Name der Gruppe im Netz; die Bezeichnung, wenn hier kein anderer angegeben ist.</translation>
     </message>
@@ -362,6 +738,10 @@
     <message>
         <source>The local sizes of the mesh.</source>
         <translation>Die örtlichen Elementgrößen des Netzes.</translation>
+    </message>
+    <message>
+        <source>The most that neighbouring mesh edges differ in length where the size changes, through the surface and along edges.</source>
+        <translation>Der Faktor, um den sich benachbarte Netzkanten höchstens in der Länge unterscheiden, wo die Größe wechselt, in der Fläche und entlang von Kanten.</translation>
     </message>
     <message>
         <source>The most that one element edge may turn along a curved edge or face; finer than size where the shape is curved.</source>

@@ -213,8 +213,180 @@
 <context>
     <name>AdvancingLayers</name>
     <message>
+        <source>A click shows the place</source>
+        <translation>Un clic montre l'endroit</translation>
+    </message>
+    <message>
+        <source>A named group of the selected faces and edges</source>
+        <translation>Un groupe nommé des faces et arêtes sélectionnées</translation>
+    </message>
+    <message>
+        <source>A size of their own for the selected faces and edges</source>
+        <translation>Une taille propre pour les faces et arêtes sélectionnées</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Adds what is selected in the 3D view</source>
+        <translation>Ajoute ce qui est sélectionné dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>Rapport d'aspect</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>Deux bouts</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Resserrement</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Colorer selon</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Core</source>
+        <translation>Cœur</translation>
+    </message>
+    <message>
+        <source>Curvature angle</source>
+        <translation>Angle de courbure</translation>
+    </message>
+    <message>
+        <source>End height</source>
+        <translation>Hauteur finale</translation>
+    </message>
+    <message>
         <source>Export Mesh</source>
         <translation>Exporter le maillage</translation>
+    </message>
+    <message>
+        <source>Face edges</source>
+        <translation>Arêtes de la face</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
+        <source>Faces of {}</source>
+        <translation>Faces de {}</translation>
+    </message>
+    <message>
+        <source>Feature angle</source>
+        <translation>Angle d'arête vive</translation>
+    </message>
+    <message>
+        <source>Finishing the core</source>
+        <translation>Achèvement du cœur</translation>
+    </message>
+    <message>
+        <source>First height</source>
+        <translation>Première hauteur</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Layer Mesh</source>
+        <translation>Maillage en couches</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Layers from all edges</source>
+        <translation>Couches depuis toutes les arêtes</translation>
+    </message>
+    <message>
+        <source>Layers grow from the selected edges; with faces selected too, on these alone</source>
+        <translation>Les couches croissent depuis les arêtes sélectionnées ; si des faces le sont aussi, sur celles-ci seulement</translation>
+    </message>
+    <message>
+        <source>Layers run along the selected edges</source>
+        <translation>Les couches courent le long des arêtes sélectionnées</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Mailler</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>No layers at the selected edges</source>
+        <translation>Pas de couches aux arêtes sélectionnées</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Sans</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>Patch {patch} of {patches} · layer {layer}</source>
+        <translation>Partie {patch} sur {patches} · couche {layer}</translation>
+    </message>
+    <message>
+        <source>Refinements</source>
+        <translation>Raffinements</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Removes the marked row</source>
+        <translation>Retire la ligne marquée</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segments</translation>
+    </message>
+    <message>
+        <source>Select faces and edges in the 3D view.</source>
+        <translation>Sélectionnez des faces et des arêtes dans la vue 3D.</translation>
     </message>
     <message>
         <source>Select faces or edges of the meshed shape first.</source>
@@ -237,27 +409,199 @@
         <translation>Sélectionnez d'abord la forme à mailler, ou quelques-unes de ses faces.</translation>
     </message>
     <message>
+        <source>Selected: {}</source>
+        <translation>Sélection : {}</translation>
+    </message>
+    <message>
+        <source>Selects all edges of the selected faces</source>
+        <translation>Sélectionne toutes les arêtes des faces sélectionnées</translation>
+    </message>
+    <message>
+        <source>Selects the edges that go on from the selected ones without a corner</source>
+        <translation>Sélectionne les arêtes qui prolongent celles sélectionnées sans coin</translation>
+    </message>
+    <message>
+        <source>Selects the whole loop of the selected edges; with a face selected too, that on the face</source>
+        <translation>Sélectionne toute la boucle des arêtes sélectionnées ; si une face l'est aussi, celle de la face</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Size growth</source>
+        <translation>Croissance de la taille</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stopped; the mesh is the one before.</source>
+        <translation>Arrêté ; le maillage est le précédent.</translation>
+    </message>
+    <message>
+        <source>Takes the marked rows off the list</source>
+        <translation>Retire de la liste les lignes marquées</translation>
+    </message>
+    <message>
+        <source>Tangent</source>
+        <translation>Tangente</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet.</source>
+        <translation>Il n'y a pas encore de maillage.</translation>
     </message>
     <message>
         <source>There is nothing to complain of.</source>
         <translation>Il n'y a rien à redire.</translation>
     </message>
     <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Fils d'exécution</translation>
+    </message>
+    <message>
+        <source>Triangulating · {seconds:.1f} s</source>
+        <translation>Triangulation · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>Turning angle</source>
+        <translation>Angle de rotation</translation>
+    </message>
+    <message>
+        <source>Until isotropic</source>
+        <translation>Jusqu'à l'isotropie</translation>
+    </message>
+    <message>
+        <source>Until the fronts meet</source>
+        <translation>Jusqu'à la rencontre des fronts</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Paroi</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Parois</translation>
+    </message>
+    <message>
+        <source>a face</source>
+        <translation>une face</translation>
+    </message>
+    <message>
+        <source>all faces</source>
+        <translation>toutes les faces</translation>
+    </message>
+    <message>
+        <source>all layers made</source>
+        <translation>toutes les couches faites</translation>
+    </message>
+    <message>
+        <source>an edge</source>
+        <translation>une arête</translation>
+    </message>
+    <message>
+        <source>another front is too near</source>
+        <translation>un autre front est trop proche</translation>
+    </message>
+    <message>
+        <source>as high as wide</source>
+        <translation>aussi haut que large</translation>
+    </message>
+    <message>
+        <source>element {} {}: quality {:.2f}</source>
+        <translation>élément {} {} : qualité {:.2f}</translation>
+    </message>
+    <message>
+        <source>element {}: quality {:.2f}</source>
+        <translation>élément {} : qualité {:.2f}</translation>
+    </message>
+    <message>
+        <source>in layer {}</source>
+        <translation>dans la couche {}</translation>
+    </message>
+    <message>
+        <source>in the core</source>
+        <translation>dans le cœur</translation>
+    </message>
+    <message>
+        <source>joined with its neighbour</source>
+        <translation>fusionné avec son voisin</translation>
+    </message>
+    <message>
+        <source>no valid element fits</source>
+        <translation>aucun élément valide ne convient</translation>
+    </message>
+    <message>
+        <source>pick a face or an edge of {}</source>
+        <translation>choisissez une face ou une arête de {}</translation>
+    </message>
+    <message>
+        <source>select faces or edges in the 3D view first</source>
+        <translation>sélectionnez d'abord des faces ou des arêtes dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>select in the 3D view first: {}</source>
+        <translation>sélectionnez d'abord dans la vue 3D : {}</translation>
+    </message>
+    <message>
+        <source>select {} first</source>
+        <translation>sélectionnez d'abord {}</translation>
+    </message>
+    <message>
+        <source>the fronts have met</source>
+        <translation>les fronts se sont rencontrés</translation>
+    </message>
+    <message>
+        <source>{edge} on {face} has no layer</source>
+        <translation>{edge} sur {face} n'a pas de couche</translation>
+    </message>
+    <message>
+        <source>{edge} on {face}: layers end here first: {reason}</source>
+        <translation>{edge} sur {face} : les couches finissent ici d'abord : {reason}</translation>
+    </message>
+    <message>
+        <source>{edge} on {face}: the first height is most off here, by {error:+.1f} %</source>
+        <translation>{edge} sur {face} : la première hauteur s'écarte ici le plus, de {error:+.1f} %</translation>
+    </message>
+    <message>
         <source>{label}: layer {layer}, {elements} elements, {seconds} s</source>
         <translation>{label} : couche {layer}, {elements} éléments, {seconds} s</translation>
+    </message>
+    <message>
+        <source>{quads} quads and {triangles} triangles ({percent:.1f} % quads) in {seconds:.1f} s</source>
+        <translation>{quads} quadrangles et {triangles} triangles ({percent:.1f} % de quadrangles) en {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s</source>
+        <translation>{stage} · {elements} éléments · {percent:.1f} % de quadrangles · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{} elements of quality {:.2f} to {:.2f}</source>
+        <translation>{} éléments de qualité {:.2f} à {:.2f}</translation>
+    </message>
+    <message>
+        <source>{} is no part of {}, which is meshed</source>
+        <translation>{} n'est pas une partie de {}, qui est maillé</translation>
+    </message>
+    <message>
+        <source>{} is on the list already</source>
+        <translation>{} est déjà sur la liste</translation>
     </message>
 </context>
 <context>
     <name>App::Property</name>
     <message>
-        <source>As above, for this wall. 0: not given.</source>
-        <translation>Comme ci-dessus, pour cette paroi. 0 : non précisé.</translation>
-    </message>
-    <message>
-        <source>As above, for this wall: a number. -1: not given.</source>
-        <translation>Comme ci-dessus, pour cette paroi : un nombre. -1 : non précisé.</translation>
+        <source>Clusters towards both ends: the ratio is then that of the middle to the ends.</source>
+        <translation>Resserre vers les deux bouts : le rapport est alors celui du milieu aux bouts.</translation>
     </message>
     <message>
         <source>Corner angles from 45 to 135 degrees [%].</source>
@@ -266,6 +610,10 @@
     <message>
         <source>Each layer is this much higher than the one before it.</source>
         <translation>Chaque couche est plus haute que la précédente de ce facteur.</translation>
+    </message>
+    <message>
+        <source>Each layer of this wall is this much higher than the one before it. 0: not given.</source>
+        <translation>Chaque couche de cette paroi est plus haute que la précédente de ce facteur. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the shape's bounding box.</source>
@@ -284,12 +632,28 @@
         <translation>Les faces qui se rencontrent sous un angle plus petit sont maillées d'un seul tenant ; les couches traversent l'arête entre elles. Avec 0, chaque face CAO est maillée pour elle-même ; un fichier STL est maillé avec 20.</translation>
     </message>
     <message>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>
+        <translation>Hauteur de toutes les couches ensemble. Avec deux de first_height, growth et layers, elle donne la troisième ; si moins sont données, celles du travail les remplacent, et layers est calculé d'abord. 0 : non précisé.</translation>
+    </message>
+    <message>
         <source>Height of the first layer, measured along the surface. Default: 1/10 of size.</source>
         <translation>Hauteur de la première couche, mesurée le long de la surface. Par défaut : 1/10 de la taille.</translation>
     </message>
     <message>
+        <source>Height of this wall's first layer. 0: not given.</source>
+        <translation>Hauteur de la première couche de cette paroi. 0 : non précisé.</translation>
+    </message>
+    <message>
         <source>How far the height of each element of a layer is from the one asked for, relative to it; NaN for the core.</source>
         <translation>Écart de la hauteur de chaque élément d'une couche à celle demandée, rapporté à celle-ci ; NaN pour le cœur.</translation>
+    </message>
+    <message>
+        <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight. 0: not given.</source>
+        <translation>Au lieu de first_height : l'angle dont la paroi tourne sur la longueur d'une première hauteur ; où la paroi est droite, la hauteur est la taille. 0 : non précisé.</translation>
+    </message>
+    <message>
+        <source>Instead of first_height: the length of the mesh edges along the wall over the first height, everywhere. 0: not given.</source>
+        <translation>Au lieu de first_height : la longueur des arêtes du maillage le long de la paroi divisée par la première hauteur, partout. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise.</source>
@@ -312,6 +676,14 @@
         <translation>Nombre d'arêtes du maillage le long de chacune des arêtes. 0 : non précisé.</translation>
     </message>
     <message>
+        <source>Number of this wall's layers; 0 grows them until the fronts close. -1: not given.</source>
+        <translation>Nombre de couches de cette paroi ; avec 0, elles croissent jusqu'à ce que les fronts se ferment. -1 : non précisé.</translation>
+    </message>
+    <message>
+        <source>Points about which the mesh is finer; as a property, texts of five numbers: x y z size radius.</source>
+        <translation>Points autour desquels le maillage est plus fin ; comme propriété, des textes de cinq nombres : x y z taille rayon.</translation>
+    </message>
+    <message>
         <source>Points of the shape that was meshed.</source>
         <translation>Points de la forme maillée.</translation>
     </message>
@@ -324,8 +696,8 @@
         <translation>Quadrangles du maillage.</translation>
     </message>
     <message>
-        <source>Ratio of the last mesh edge along a CAD edge to the first. 0: not given.</source>
-        <translation>Rapport de la dernière arête du maillage le long d'une arête CAO à la première. 0 : non précisé.</translation>
+        <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps. 0: not given.</source>
+        <translation>Rapport de la dernière arête du maillage le long d'une arête CAO à la première, par pas géométriques. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Tells this mesh from the ones before it.</source>
@@ -348,6 +720,10 @@
         <translation>Les faces et arêtes pour lesquelles vaut la taille.</translation>
     </message>
     <message>
+        <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex. 0: not given.</source>
+        <translation>La première hauteur à la fin de chaque arête ; elle change linéairement le long de l'arête, à partir de first_height à son premier sommet. 0 : non précisé.</translation>
+    </message>
+    <message>
         <source>The group's name in the mesh; the label, unless another is given here.</source>
         <translation>Le nom du groupe dans le maillage ; l'étiquette, sauf si un autre est donné ici.</translation>
     </message>
@@ -362,6 +738,10 @@
     <message>
         <source>The local sizes of the mesh.</source>
         <translation>Les tailles locales du maillage.</translation>
+    </message>
+    <message>
+        <source>The most that neighbouring mesh edges differ in length where the size changes, through the surface and along edges.</source>
+        <translation>Le plus grand rapport de longueur d'arêtes voisines du maillage où la taille change, à travers la surface et le long des arêtes.</translation>
     </message>
     <message>
         <source>The most that one element edge may turn along a curved edge or face; finer than size where the shape is curved.</source>
