@@ -1,7 +1,8 @@
 """Meshes a BREP with gmsh and prints figures: gmsh_peer.py FILE.brep SIZE WAY H0 GROWTH
 
-WAY: "quads" (isotropic, paired by Blossom) or "layers" (the field BoundaryLayer on every edge of a
-planar face). A process of its own, since gmsh may crash.
+WAY: "quads" (isotropic, paired by Blossom), "full quads" (halved and paired again, which leaves no
+triangle) or "layers" (the field BoundaryLayer on every edge of a planar face). A process of its
+own, since gmsh may crash.
 """
 from __future__ import annotations
 
@@ -23,10 +24,11 @@ def mesh(path: str, size: float, way: str, height: float, growth: float) -> Elem
     gmsh.model.occ.importShapes(path)
     gmsh.model.occ.synchronize()
     gmsh.option.setNumber("Mesh.MeshSizeMax", size)
-    gmsh.option.setNumber("Mesh.MeshSizeMin", size if way == "quads" else 0.0)
+    gmsh.option.setNumber("Mesh.MeshSizeMin", 0.0 if way == "layers" else size)
     gmsh.option.setNumber("Mesh.Algorithm", 6)
     gmsh.option.setNumber("Mesh.RecombineAll", 1)
-    gmsh.option.setNumber("Mesh.RecombinationAlgorithm", 1)
+    gmsh.option.setNumber("Mesh.RecombinationAlgorithm",
+                          3 if way == "full quads" else 1)
     if way == "layers":
         field = gmsh.model.mesh.field.add("BoundaryLayer")
         curves = [tag for _, tag in gmsh.model.getEntities(1)]
