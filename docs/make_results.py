@@ -183,8 +183,8 @@ def speed(found: Dict[str, Any]) -> str:
                     + [f"{row[way]:.0f}" if way in row else "failed"
                        for way in ("quads", "full quads")]
                     + [f"{row['ours'] / max(peers):.1f}" if peers else ""])
-    text = ("\n## Speed\n\nOne thread, medians of interleaved runs, reading excluded; the ratio is "
-            "to the faster of gmsh's.\n\n" + table(head, rows))
+    text = ("\n## Speed\n\nProcessor time of one thread, medians of interleaved runs, reading "
+            "excluded; the ratio is to the faster of gmsh's.\n\n" + table(head, rows))
     scaling = [[str(row["elements"]), f"{row['seconds']:.2f}",
                 f"{1e6 * row['seconds'] / row['elements']:.1f}", f"{row['bytes']:.0f}"]
                for row in found["scaling"]]

@@ -1,7 +1,8 @@
 """Draws a mesh file: mesh_picture.py mesh.vtu picture.png [width]
 
 The whole mesh, layers in blue, darkest at the walls; beside it a view along the z axis, and a
-corner from near. Needs python3-vtk9 and a display (xvfb-run will do).
+corner from near. A flat mesh is seen along z throughout. Needs python3-vtk9 and a display (xvfb-run
+will do).
 """
 import sys
 
@@ -81,17 +82,29 @@ def save(window, path):
     writer.Write()
 
 
+def views(grid, width):
+    """The three parts of the picture."""
+    bounds = grid.GetBounds()
+    aslant, near = (-0.5, 0.8, 0.5), (0.4, 0.8, 0.45)
+    corner, zoom = [bounds[1], 0.5 * (bounds[2] + bounds[3]), bounds[5]], 0.97
+    if bounds[5] - bounds[4] < 1e-9 * grid.GetLength():
+        aslant = near = (0, 0, 1)
+        points = (grid.GetPoint(i) for i in range(grid.GetNumberOfPoints()))
+        corner, zoom = list(min(points)), 1.1
+        corner[0] += 0.06 * (bounds[1] - bounds[0])
+    return (view(grid, width, (0, 0, 0.6, 1), aslant, zoom),
+            view(grid, width, (0.6, 0.55, 1, 1), (0, 0, 1), 2.4),
+            view(grid, width, (0.6, 0, 1, 0.55), near, 6.0, corner))
+
+
 def main(mesh_path, picture_path, width=WIDTH):
     grid, width = read(mesh_path), int(width)
-    bounds = grid.GetBounds()
-    corner = [bounds[1], 0.5 * (bounds[2] + bounds[3]), bounds[5]]
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(width, width * 5 // 8)
-    window.AddRenderer(view(grid, width, (0, 0, 0.6, 1), (-0.5, 0.8, 0.5), 0.97))
-    window.AddRenderer(view(grid, width, (0.6, 0.55, 1, 1), (0, 0, 1), 2.4))
-    window.AddRenderer(view(grid, width, (0.6, 0, 1, 0.55), (0.4, 0.8, 0.45), 6.0, corner))
+    for part in views(grid, width):
+        window.AddRenderer(part)
     window.Render()
     save(window, picture_path)
 

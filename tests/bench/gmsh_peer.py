@@ -53,9 +53,9 @@ def main() -> None:
     path, size, way = sys.argv[1], float(sys.argv[2]), sys.argv[3]
     height, growth = (float(word) for word in sys.argv[4:6])
     gmsh.initialize()
-    start = time.perf_counter()
+    start = time.process_time()
     elements = mesh(path, size, way, height, growth)
-    seconds = time.perf_counter() - start
+    seconds = time.process_time() - start
     angles = elements.angles()
     rows = first_rows(elements, Part.read(path)) / height
     print(json.dumps({
