@@ -21,6 +21,7 @@ struct Kid {
   VertexH root;
   VertexH vertex;      // once inserted
   bool given = false;  // a vertex of the boundary: neither inserted nor moved
+  bool tread = false;  // a low inner kid of coarsened edges, see thin_front.cpp
   double lag = 0.0;    // see FrontNode
   bool alive = true;
 };
