@@ -20,7 +20,8 @@ from advlayers.references import Picker, Problem, remembered
 from advlayers.references import problems as reference_problems
 from advlayers.settings_check import check_all
 from advlayers.settings_table import (
-    SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, unset_value)
+    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, setting,
+    unset_value)
 
 CONDITIONS = ("Wall", "Match", "Off")
 _REFERENCES = "References"
@@ -90,8 +91,9 @@ class Wall(Control):
 class Size(Control):
     Type = "AdvancingLayers::Size"
     LIST = "SizeList"
-    TABLE = SIZE_SETTINGS
-    REFERENCES = "The faces and edges that the size holds for."
+    TABLE = (*SIZE_SETTINGS, setting("radius", REFINEMENT_SETTINGS))
+    REFERENCES = "The faces, edges and vertices that the size holds for."
+    KINDS = ("Face", "Edge", "Vertex")
 
 
 class Group(Control):
@@ -265,21 +267,38 @@ def contributions(mesh_object) -> Dict[str, Any]:
         "groups": {group.GroupName: names_on(source, group.References)
                    for group in mesh_object.GroupList},
     }
-    if mesh_object.SizeList:
-        found["sizes"] = [{**_split(names_on(source, size.References)), **values(size)}
-                          for size in mesh_object.SizeList]
+    found["sizes"], found["refinements"] = [], []
+    for size in mesh_object.SizeList:
+        _add_size(size, source, found)
     return found
 
 
+def _add_size(size, source, found: Dict[str, Any]) -> None:
+    """A size about a vertex is a refinement at its point; the radius is for those alone."""
+    picked, given = names_on(source, size.References), values(size)
+    radius = given.pop("radius", 0.0)
+    entry = _split(picked)
+    vertices = entry.pop("vertices")
+    if entry["edges"] or entry["faces"]:
+        found["sizes"].append({**entry, **given})
+    shape = cad_input.global_shape(source)
+    for name in vertices:
+        if "size" not in given:
+            raise InputError("Size", f"of {size.Label} is needed about {name}")
+        point = list(Picker(shape).pick(name).centre)
+        found["refinements"].append({"point": point, "size": given["size"], "radius": radius})
+
+
 def _split(picked: Iterable[str]) -> Dict[str, List[str]]:
-    found: Dict[str, List[str]] = {"edges": [], "faces": []}
+    found: Dict[str, List[str]] = {"edges": [], "faces": [], "vertices": []}
     for name in picked:
-        found["edges" if _sort(name) == "Edge" else "faces"].append(name)
+        found[{"Edge": "edges", "Vertex": "vertices"}.get(_sort(name), "faces")].append(name)
     return found
 
 
 def _wall(wall, source) -> Dict[str, Any]:
     entry: Dict[str, Any] = _split(names_on(source, wall.References))
+    del entry["vertices"]  # a wall has none
     if entry["faces"] and not entry["edges"]:
         entry["edges"] = FaceEdges(cad_input.global_shape(source)).boundary(entry["faces"])
     return {**entry, **values(wall)}

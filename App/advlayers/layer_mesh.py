@@ -225,7 +225,9 @@ def raw_settings(document_object) -> Dict[str, Any]:
     """As the document has them, unchecked."""
     settings = {entry.key: from_property(entry, getattr(document_object, entry.property))
                 for entry in property_settings()}
-    settings.update(controls.contributions(document_object))
+    found = controls.contributions(document_object)
+    found["refinements"] = settings["refinements"] + found["refinements"]
+    settings.update(found)
     return settings
 
 

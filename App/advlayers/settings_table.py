@@ -230,7 +230,10 @@ def range_text(entry: Setting) -> str:
 
 
 def unset_value(entry: Setting) -> Union[str, int]:
-    """What stands in a property for a value that is not given: out of the setting's range."""
+    """What stands in a property for a value that is not given: the default, else something out of
+    the setting's range."""
+    if entry.default is not None:
+        return entry.default
     if entry.kind == "layers":
         return ""
     if entry.kind == "flag":
@@ -241,7 +244,7 @@ def unset_value(entry: Setting) -> Union[str, int]:
 
 def optional_doc(entry: Setting) -> str:
     """The tooltip of a value that need not be given."""
-    if entry.kind == "flag":
+    if entry.kind == "flag" or entry.default is not None:
         return entry.doc
     unset = unset_value(entry)
     return f"{entry.doc} {'Empty' if unset == '' else unset}: not given."

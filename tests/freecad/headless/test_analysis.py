@@ -1,4 +1,7 @@
 """A layer mesh as the mesh of a FEM analysis."""
+import os
+import subprocess
+
 import advlayers
 import FreeCAD
 import ObjectsFem
@@ -68,6 +71,39 @@ def test_pressure_acts_on_the_elements_of_its_face(box, pressed, tmp_path):
         if line and not line.startswith("**"):
             loaded.append(int(line.split(",")[0]))
     assert set(loaded) == set(groups["Face6"])
+
+
+def test_a_document_is_solved_without_the_add_on(box, pressed, tmp_path):
+    """FreeCAD without us writes the same input for its solver."""
+    mesh = advlayers.make_layer_mesh(box, mesh_now=False, size=5, first_height=0.5, layers=2)
+    pressed.addObject(mesh)
+    advlayers.update(mesh)
+    with_add_on = tmp_path / "with"
+    with_add_on.mkdir()
+    lines = solver_input(pressed, with_add_on)
+    path = str(tmp_path / "study.FCStd")
+    box.Document.saveCopy(path)
+    code = f"""
+import sys, FreeCAD
+from femtools import ccxtools
+document = FreeCAD.openDocument({path!r})
+assert document.LayerMesh.Proxy is None and "advlayers" not in sys.modules
+study = document.Study
+solver = next(entry for entry in study.Group if "Solver" in entry.TypeId)
+tools = ccxtools.FemToolsCcx(study, solver)
+tools.update_objects()
+tools.setup_working_dir({str(tmp_path)!r})
+assert tools.check_prerequisites() == ""
+tools.write_inp_file()
+"""
+    done = subprocess.run(
+        ["freecadcmd", "-c", code], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+        timeout=60, check=False, env={**os.environ, "FREECAD_USER_HOME": str(tmp_path)})
+    assert done.returncode == 0, done.stdout + done.stderr
+    (written,) = tmp_path.glob("*.inp")
+    bare = written.read_text(encoding="utf-8").splitlines()
+    assert sum(line.startswith("*DLOAD") for line in bare) == 1
+    assert len(bare) == len(lines) > 500
 
 
 def test_a_pressure_that_came_later_is_told(box, pressed):

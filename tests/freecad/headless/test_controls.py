@@ -5,7 +5,7 @@ import pytest
 from advlayers import controls, layer_mesh
 from advlayers.errors import InputError
 from advlayers.properties import property_name
-from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS, unset_value
+from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS, optional_doc, unset_value
 
 
 @pytest.fixture
@@ -115,7 +115,31 @@ def test_every_value_can_be_left_out(box, mesh, table):
     for entry in controls.value_settings(table):
         value = getattr(child, property_name(entry))
         assert getattr(value, "Value", value) == unset_value(entry)
-        assert entry.doc in child.getDocumentationOfProperty(property_name(entry))
+        shown = child.getDocumentationOfProperty(property_name(entry))
+        assert shown == optional_doc(entry) and entry.doc in shown
+
+
+def test_sizes_of_faces_edges_and_vertices(box, mesh):
+    advlayers.make_size(mesh, ["Face1", "Edge5"], size="2 mm")
+    advlayers.make_size(mesh, ["Edge1"], segments=7, cluster=3, both_ends=True)
+    corner = advlayers.make_size(mesh, ["Vertex1"], size=0.5, radius=1)
+    mesh.Refinements = ["1 2 3 0.7 0"]
+    settings = layer_mesh.settings_of(mesh)
+    given = [{key: value for key, value in size.items() if value not in (None, ())}
+             for size in settings["sizes"]]
+    assert given == [
+        {"edges": ("Edge5",), "faces": ("Face1",), "size": 2.0},
+        {"edges": ("Edge1",), "segments": 7, "cluster": 3.0, "both_ends": True}]
+    assert settings["refinements"] == (
+        {"point": (1.0, 2.0, 3.0), "size": 0.7, "radius": 0.0},
+        {"point": tuple(box.Shape.Vertexes[0].Point), "size": 0.5, "radius": 1.0})
+    advlayers.update(mesh)
+    nodes = {mesh.FemMesh.getGroupName(i): len(mesh.FemMesh.getGroupElements(i))
+             for i in mesh.FemMesh.Groups if mesh.FemMesh.getGroupElementType(i) == "Node"}
+    assert nodes["Edge1"] == 8 and nodes["Edge5"] >= 1 + box.Shape.Edges[4].Length / 2
+    corner.Size = 0
+    with pytest.raises(InputError, match="is needed about Vertex1"):
+        layer_mesh.settings_of(mesh)
 
 
 def test_children_mark_the_mesh_out_of_date(mesh):
