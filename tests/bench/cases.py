@@ -33,7 +33,7 @@ class Case:
 
 def wing() -> "Part.Shape":
     """NACA 0018 with a sharp trailing edge, chord 1 m, span 1.5 m."""
-    example = os.path.join(ROOT, "Resources", "examples", "naca0018_wing.py")
+    example = os.path.join(ROOT, "Resources", "examples", "wing.FCMacro")
     return runpy.run_path(example)["wing"]()
 
 

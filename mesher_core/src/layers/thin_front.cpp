@@ -15,7 +15,11 @@ constexpr double kCollapseLength = 2.0 * 0.41421356237309503;  // 2 tan(pi / 8),
 constexpr double kCoarsenLength = 0.95;
 constexpr double kCoarsenLongest = 1.2;
 constexpr double kCoarsenTurn = 25.0 * kDegree;
-constexpr double kTreadHeight = 0.42;  // of the inner kids, in heights: evens the angles out
+// An edge that turns further than this with the surface is not made by thinning: the mesh would cut
+// through what the front runs around. Only edges that have nearly vanished are merged all the same.
+const double kBentEdge = std::cos(35.0 * kDegree);
+constexpr double kVanishingLength = 0.25;  // in heights
+constexpr double kTreadHeight = 0.42;      // of the inner kids, in heights: evens the angles out
 
 class Coarsener {
  public:
@@ -54,7 +58,7 @@ class Coarsener {
       if (edge > kCoarsenLongest * height) return false;
       length += edge / 3.0;
     }
-    if (length > kCoarsenLength * height) return false;
+    if (length > kCoarsenLength * height || bent(plain_kid(a), plain_kid(d))) return false;
     return lower_treads(a, b, c, d);
   }
   bool has_plain_kid(int i) const {
@@ -67,6 +71,9 @@ class Coarsener {
     return (draft_.kid(p).point.xyz - draft_.kid(q).point.xyz).norm();
   }
   int plain_kid(int i) const { return draft_.kids_of(i)[0]; }
+  bool bent(int p, int q) const {
+    return draft_.kid(p).normal.dot(draft_.kid(q).normal) < kBentEdge;
+  }
 
   bool lower_treads(int a, int b, int c, int d) {
     const int k = plain_kid(a), x = plain_kid(b), y = plain_kid(c), m = plain_kid(d);
@@ -118,7 +125,8 @@ class Merger {
       const double forward = along.dot((draft_.position(k) - draft_.position(i)).normalized());
       const double height = 0.5 * (draft_.height(i) + draft_.height(k));
       const bool fan = draft_.kid(p).fan_age >= 0 && draft_.kid(q).fan_age >= 0;
-      const double limit = fan || draft_.is_strip_end(i, k) ? 0.2 : kCollapseLength;
+      double limit = fan || draft_.is_strip_end(i, k) ? 0.2 : kCollapseLength;
+      if (bent_by_merging(i, k)) limit = std::min(limit, kVanishingLength);
       if (forward < limit * height) pairs.push_back({forward, i});
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
@@ -128,6 +136,20 @@ class Merger {
   }
 
  private:
+  // The merged kid will lie between two kids further along on either side.
+  bool bent_by_merging(int i, int k) const {
+    const int before = draft_.front[i].prev, after = draft_.front[k].next;
+    const Vec3 merged =
+        (draft_.kid(draft_.kids_of(i).back()).normal + draft_.kid(draft_.kids_of(k).front()).normal)
+            .normalized();
+    const auto bent = [&](int node, bool last) {
+      if (node < 0 || draft_.kids_of(node).empty()) return false;
+      const auto& kids = draft_.kids_of(node);
+      return draft_.kid(last ? kids.back() : kids.front()).normal.dot(merged) < kBentEdge;
+    };
+    return bent(before, true) || bent(after, false);
+  }
+
   void merge(int i, int k) {
     const auto& of_k = draft_.kids_of(k);
     if (of_k.size() == 1 && draft_.kid(of_k[0]).given) std::swap(i, k);

@@ -40,6 +40,21 @@ TEST(Closing, ADiscHasFewTriangles) {
   }
 }
 
+// Layers that grow along a thin rod become higher than the edges around it are long; thinned out as
+// on a plane, the front would end up as a triangle through the rod.
+TEST(Closing, AThinRodStaysRound) {
+  LayerRun run(cylinder_side(1.0, 12.0), {1.0, 0.1, 1.3});
+  run.walls.max_height = 1.0;
+  run.grow();
+  for (std::size_t i = 0; i < run.mesh.halfedge_capacity(); ++i) {
+    const HalfedgeH h(i);
+    if (!run.mesh.alive(h)) continue;
+    const VertexData& from = run.mesh.data(run.mesh.from(h));
+    const VertexData& to = run.mesh.data(run.mesh.to(h));
+    EXPECT_GT(from.normal.dot(to.normal), 0.5) << from.point.xyz.transpose();
+  }
+}
+
 // Every column ends for a reason, and each wall vertex is told of.
 TEST(Closing, EveryWallVertexHasAReason) {
   LayerRun run(plate_with_holes());
