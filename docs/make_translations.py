@@ -69,7 +69,8 @@ def _of_tables():
         if entry.property:
             yield PROPERTY, entry.doc
             yield WINDOW, _label(entry)
-    for entry in table.WALL_SETTINGS + table.SIZE_SETTINGS:
+    radius = table.setting("radius", table.REFINEMENT_SETTINGS)
+    for entry in (*table.WALL_SETTINGS, *table.SIZE_SETTINGS, radius):
         if entry.key not in ("edges", "faces"):
             yield PROPERTY, table.optional_doc(entry)
             yield WINDOW, _label(entry)

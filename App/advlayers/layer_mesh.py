@@ -251,7 +251,7 @@ def check_references(document_object) -> None:
     if found:
         texts = "; ".join(f"{problem.owner.Label}: {problem.text}" for problem in found)
         raise InputError("", f"the model has changed under the references: {texts}. "
-                             "Pick them again, follow them, or accept them as they are")
+                             "Pick them again, or use Follow References or Accept References")
 
 
 def follow_references(document_object) -> None:

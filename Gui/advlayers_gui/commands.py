@@ -10,11 +10,13 @@ from advlayers_gui import make_commands, mesh_commands
 # In the order of toolbar and menu; None: a separator.
 _COMMANDS = (
     make_commands.LayerMesh, make_commands.Wall, make_commands.Size, make_commands.Group, None,
-    mesh_commands.Update, mesh_commands.Check, None,
+    mesh_commands.Update, mesh_commands.Check, mesh_commands.FollowReferences,
+    mesh_commands.AcceptReferences, None,
     mesh_commands.Export, mesh_commands.ToMesh, mesh_commands.FillVolume, mesh_commands.TakeOver,
 )
 # What a right click on a layer mesh, or on its children, offers.
-CONTEXT = ("Wall", "Size", "Group", "Update", "Check", "Export", "ToMesh", "FillVolume")
+CONTEXT = ("Wall", "Size", "Group", "Update", "Check", "FollowReferences", "AcceptReferences",
+           "Export", "ToMesh", "FillVolume")
 
 
 def register() -> List[str]:

@@ -88,6 +88,37 @@ def _at(point) -> str:
     return " ({:.6g}, {:.6g}, {:.6g})".format(*point) if point else ""
 
 
+class _OnLostReferences(_OnMeshes):
+    """For meshes whose model was edited so that faces have other numbers."""
+
+    FUNCTION = ""
+
+    def IsActive(self) -> bool:
+        return super().IsActive() and any(
+            mesh.State == "Lost references" for mesh in selected.layer_meshes_or_all())
+
+    def run_on(self, mesh) -> None:
+        with Transaction(mesh.Document, self.MENU):
+            do("from advlayers import layer_mesh")
+            do(f"layer_mesh.{self.FUNCTION}({in_code(mesh)})")
+        mesh.Document.recompute()
+
+
+class FollowReferences(_OnLostReferences):
+    NAME = "FollowReferences"
+    MENU = "Follow References"
+    TOOLTIP = ("Gives lost references the names that what was picked has now, where it is still "
+               "there")
+    FUNCTION = "follow_references"
+
+
+class AcceptReferences(_OnLostReferences):
+    NAME = "AcceptReferences"
+    MENU = "Accept References"
+    TOOLTIP = "Takes lost references for what their names stand for now"
+    FUNCTION = "accept_references"
+
+
 class Export(_OnOneMesh):
     NAME = "Export"
     MENU = "Export Mesh…"

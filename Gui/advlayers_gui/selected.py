@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 from advlayers import controls, layer_mesh
+from advlayers.picked_names import names_on
 
 Pick = Tuple[Any, Tuple[str, ...]]
 
@@ -32,11 +33,15 @@ def all_layer_meshes() -> List[Any]:
 
 
 def source() -> Optional[Tuple[Any, List[str]]]:
-    """The first selected object that has a shape, and its selected faces."""
+    """The first selected object that has a shape, and its selected faces; of a body's last feature
+    the body, which stays when further features come."""
     for entry in FreeCADGui.Selection.getSelectionEx():
         if _has_shape(entry.Object):
-            return entry.Object, [name for name in entry.SubElementNames
-                                  if name.startswith("Face")]
+            faces = [name for name in entry.SubElementNames if name.startswith("Face")]
+            body = entry.Object.getParentGeoFeatureGroup()
+            if getattr(body, "Tip", None) is not entry.Object:
+                return entry.Object, faces
+            return body, names_on(body, [(entry.Object, faces)])
     return None
 
 

@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 from advlayers.controls import children, is_control
+from advlayers.layer_mesh import LOST_REFERENCES, OUT_OF_DATE
 from advlayers.proxy import Stateless
 from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView
@@ -58,7 +59,13 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
         self._object = view_object.Object
 
     def getIcon(self) -> str:
-        return icon("AdvLayers_LayerMesh")
+        stale = self._object is not None and self._object.State in (OUT_OF_DATE, LOST_REFERENCES)
+        return icon("AdvLayers_LayerMesh_Stale" if stale else "AdvLayers_LayerMesh")
+
+    def updateData(self, mesh_object, name: str) -> None:
+        super().updateData(mesh_object, name)
+        if name == "State":
+            mesh_object.ViewObject.signalChangeIcon()
 
     def claimChildren(self):
         return children(self._object)

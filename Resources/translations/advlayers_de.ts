@@ -101,6 +101,17 @@
     </message>
 </context>
 <context>
+    <name>AdvLayers_AcceptReferences</name>
+    <message>
+        <source>Accept References</source>
+        <translation>Bezüge annehmen</translation>
+    </message>
+    <message>
+        <source>Takes lost references for what their names stand for now</source>
+        <translation>Nimmt verlorene Bezüge für das, wofür ihre Namen jetzt stehen</translation>
+    </message>
+</context>
+<context>
     <name>AdvLayers_Check</name>
     <message>
         <source>Check Mesh</source>
@@ -131,6 +142,17 @@
     <message>
         <source>Fills the inside of a closed layer mesh with tetrahedra, using Gmsh</source>
         <translation>Füllt das Innere eines geschlossenen Schichtnetzes mit Tetraedern, mit Hilfe von Gmsh</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_FollowReferences</name>
+    <message>
+        <source>Follow References</source>
+        <translation>Bezügen folgen</translation>
+    </message>
+    <message>
+        <source>Gives lost references the names that what was picked has now, where it is still there</source>
+        <translation>Gibt verlorenen Bezügen die Namen, die das Gewählte jetzt hat, wo es noch da ist</translation>
     </message>
 </context>
 <context>
@@ -363,6 +385,10 @@
     <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Teilfläche {patch} von {patches} · Schicht {layer}</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
     </message>
     <message>
         <source>Refinements</source>
@@ -716,8 +742,8 @@
         <translation>Die Flächen und Kanten der Gruppe; im Netz tragen sie deren Bezeichnung.</translation>
     </message>
     <message>
-        <source>The faces and edges that the size holds for.</source>
-        <translation>Die Flächen und Kanten, für die die Elementgröße gilt.</translation>
+        <source>The faces, edges and vertices that the size holds for.</source>
+        <translation>Die Flächen, Kanten und Eckpunkte, für die die Elementgröße gilt.</translation>
     </message>
     <message>
         <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex. 0: not given.</source>
@@ -770,6 +796,10 @@
     <message>
         <source>The settings that the mesh was made with.</source>
         <translation>Die Einstellungen, mit denen das Netz erzeugt wurde.</translation>
+    </message>
+    <message>
+        <source>The size holds within this distance of the point.</source>
+        <translation>Die Elementgröße gilt bis zu diesem Abstand vom Punkt.</translation>
     </message>
     <message>
         <source>The smallest corner angle.</source>

@@ -101,6 +101,17 @@
     </message>
 </context>
 <context>
+    <name>AdvLayers_AcceptReferences</name>
+    <message>
+        <source>Accept References</source>
+        <translation>Accepter les références</translation>
+    </message>
+    <message>
+        <source>Takes lost references for what their names stand for now</source>
+        <translation>Prend les références perdues pour ce que désignent maintenant leurs noms</translation>
+    </message>
+</context>
+<context>
     <name>AdvLayers_Check</name>
     <message>
         <source>Check Mesh</source>
@@ -131,6 +142,17 @@
     <message>
         <source>Fills the inside of a closed layer mesh with tetrahedra, using Gmsh</source>
         <translation>Remplit l'intérieur d'un maillage en couches fermé de tétraèdres, à l'aide de Gmsh</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_FollowReferences</name>
+    <message>
+        <source>Follow References</source>
+        <translation>Suivre les références</translation>
+    </message>
+    <message>
+        <source>Gives lost references the names that what was picked has now, where it is still there</source>
+        <translation>Donne aux références perdues les noms que porte maintenant ce qui a été choisi, s'il est encore là</translation>
     </message>
 </context>
 <context>
@@ -363,6 +385,10 @@
     <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Partie {patch} sur {patches} · couche {layer}</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
     </message>
     <message>
         <source>Refinements</source>
@@ -716,8 +742,8 @@
         <translation>Les faces et arêtes du groupe ; le maillage les regroupe sous son étiquette.</translation>
     </message>
     <message>
-        <source>The faces and edges that the size holds for.</source>
-        <translation>Les faces et arêtes pour lesquelles vaut la taille.</translation>
+        <source>The faces, edges and vertices that the size holds for.</source>
+        <translation>Les faces, arêtes et sommets pour lesquels vaut la taille.</translation>
     </message>
     <message>
         <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex. 0: not given.</source>
@@ -770,6 +796,10 @@
     <message>
         <source>The settings that the mesh was made with.</source>
         <translation>Les réglages avec lesquels le maillage a été fait.</translation>
+    </message>
+    <message>
+        <source>The size holds within this distance of the point.</source>
+        <translation>La taille vaut jusqu'à cette distance du point.</translation>
     </message>
     <message>
         <source>The smallest corner angle.</source>

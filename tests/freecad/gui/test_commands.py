@@ -143,6 +143,50 @@ def test_export_asks_for_a_file(mesh, tmp_path, monkeypatch):
     assert len(titles) == len(FORMATS) and os.path.getsize(path[:-4] + ".unv") > 1000
 
 
+def test_lost_references_are_followed_and_accepted(box):
+    """What FreeCAD 1.x does not follow itself is a list of faces."""
+    document = box.Document
+    drill = document.addObject("Part::Cylinder", "Drill")
+    drill.Radius, drill.Height = 3, 100
+    drill.Placement.Base = FreeCAD.Vector(10, 10, -50)
+    cut = document.addObject("Part::Cut", "Cut")
+    cut.Base, cut.Tool = box, drill
+    document.recompute()
+    top = next(f"Face{i}" for i, face in enumerate(cut.Shape.Faces, 1)
+               if face.CenterOfMass.z > 9.9)
+    made = advlayers.make_layer_mesh(cut, size=5, faces=[top])
+    select((made, ""))
+    assert not FreeCADGui.isCommandActive("AdvLayers_FollowReferences")
+    for command, quads_stay in (("FollowReferences", True), ("AcceptReferences", False)):
+        drill.Placement.Base = FreeCAD.Vector(0, 0, -50)
+        document.recompute()
+        assert made.State == layer_mesh.LOST_REFERENCES
+        seen = []
+        answer_message(seen)
+        run("Update")
+        assert len(seen) == 1 and "Follow References" in seen[0]
+        run(command)
+        assert made.State == layer_mesh.OUT_OF_DATE
+        assert (made.Faces != [top]) == quads_stay
+        drill.Placement.Base = FreeCAD.Vector(10, 10, -50)
+        document.recompute()
+        made.Faces = [top]
+        layer_mesh.accept_references(made)
+
+
+def test_a_body_is_meshed_for_its_last_feature(box):
+    document = box.Document
+    body = document.addObject("PartDesign::Body", "Body")
+    block = document.addObject("PartDesign::AdditiveBox", "Block")
+    body.addObject(block)
+    document.recompute()
+    select((block, "Face3"))
+    run("LayerMesh")
+    close_panel()
+    made = document.getObject("LayerMesh")
+    assert made.Part is body and made.Faces == ["Face3"]
+
+
 def test_triangles(mesh):
     select((mesh, ""))
     run("ToMesh")
@@ -220,3 +264,18 @@ def test_the_context_menu(box, mesh):
 def test_export_filters_name_every_format():
     endings = {mesh_commands._shown(ending).lower() for ending in FORMATS}
     assert endings == set(FORMATS)
+
+
+def test_the_tree_shows_what_is_out_of_date(box, mesh):
+    provider = mesh.ViewObject.Proxy
+    assert os.path.isfile(provider.getIcon()) and "Stale" not in provider.getIcon()
+    fresh = mesh.ViewObject.Icon.pixmap(32, 32).toImage()
+    box.Length = 60
+    box.Document.recompute()
+    events()
+    assert os.path.isfile(provider.getIcon()) and "Stale" in provider.getIcon()
+    assert mesh.ViewObject.Icon.pixmap(32, 32).toImage() != fresh
+    screenshot("out_of_date.png")
+    select((mesh, ""))
+    run("Update")
+    assert "Stale" not in provider.getIcon()
