@@ -275,6 +275,7 @@ def test_the_tree_shows_what_is_out_of_date(box, mesh):
     events()
     assert os.path.isfile(provider.getIcon()) and "Stale" in provider.getIcon()
     assert mesh.ViewObject.Icon.pixmap(32, 32).toImage() != fresh
+    events(0.5)  # the tree follows by a timer
     screenshot("out_of_date.png")
     select((mesh, ""))
     run("Update")
