@@ -29,10 +29,14 @@ class ControlEditor:
         layout.addRow(tr("On"), self._references.widget)
         self._references.show(references_of(control, source))
         self._form = SettingsForm(control, controls.value_settings(control.Proxy.TABLE), layout,
-                                  on_change, optional=True)
+                                  on_change, on_refused, optional=True)
 
     def store(self) -> None:
         self._form.store()
+
+    def release(self) -> None:
+        """The widgets are going away."""
+        self._form.release()
 
     def _add_name(self, layout) -> None:
         self._name = QtGui.QLineEdit(self._control.Label)

@@ -40,3 +40,4 @@ class ControlPanel(TaskPanel):
 
     def _clean_up(self) -> None:
         self._pick_bar.picks.end()
+        self._editor.release()

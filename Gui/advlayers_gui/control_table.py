@@ -38,6 +38,12 @@ class ControlTable:
         if self._editor is not None:
             self._editor.store()
 
+    def release(self) -> None:
+        """The widgets are going away."""
+        if self._editor is not None:
+            self._editor.release()
+            self._editor = None
+
     def load(self) -> None:
         """Shows the children as they are now; keeps the marked row where it is still there."""
         marked = self._marked()
@@ -171,9 +177,9 @@ class ControlTable:
         self._changed()
 
     def _edit(self, control) -> None:
+        self.release()
         while self._place.count():
             self._place.takeAt(0).widget().deleteLater()
-        self._editor = None
         if control is not None:
             self._editor = ControlEditor(control, self._mesh_object.Part, self._picks,
                                          self._changed, self._on_refused)

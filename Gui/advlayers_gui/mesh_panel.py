@@ -8,6 +8,7 @@ from PySide import QtGui
 
 from advlayers import layer_mesh, mesh_data
 from advlayers.element_mesh import ElementMesh, of_core
+from advlayers.errors import InputError
 from advlayers.layer_heights import height_errors
 from advlayers.mesh_data import MeshData, Place
 from advlayers.report import make_report
@@ -84,7 +85,11 @@ class MeshPanel(TaskPanel):
                                  and self._object.State == layer_mesh.NOT_MESHED):
             self._close_when_done = self._run.running or self._run.start()
             return False
-        self._store()
+        try:
+            self._store()
+        except InputError as error:
+            self._run.say(str(error))
+            return False
         if self._outcome is not None:
             self._outcome.store(self._object)
         self.leave()
@@ -96,6 +101,9 @@ class MeshPanel(TaskPanel):
     def _clean_up(self) -> None:
         self._run.abandon()
         self._pick_bar.picks.end()
+        for form in self._forms:
+            form.release()
+        self._table.release()
 
     # --- the form -----------------------------------------------------------------------------
 
@@ -135,7 +143,8 @@ class MeshPanel(TaskPanel):
         form = QtGui.QFormLayout()
         layout.addLayout(form)
         self._forms.append(SettingsForm(
-            self._object, [entries.pop(key) for key in _FIRST], form, self._changed))
+            self._object, [entries.pop(key) for key in _FIRST], form, self._changed,
+            self._run.say))
         layout.addWidget(self._grow_from_all())
         layout.addWidget(self._advanced(entries.values()))
         layout.addStretch()
@@ -157,7 +166,7 @@ class MeshPanel(TaskPanel):
         inside = QtGui.QWidget()
         QtGui.QVBoxLayout(group).addWidget(inside)
         self._forms.append(SettingsForm(self._object, entries, QtGui.QFormLayout(inside),
-                                        self._changed))
+                                        self._changed, self._run.say))
         inside.setVisible(False)
         group.toggled.connect(inside.setVisible)
         return group
@@ -193,8 +202,7 @@ class MeshPanel(TaskPanel):
 
     def _done(self, outcome: Outcome) -> None:
         self._outcome = outcome
-        report = make_report(self._object.Part.Label, outcome.mesh,
-                             outcome.task.made_from.settings, [], outcome.mesh.seconds)
+        report = make_report(self._object.Part.Label, outcome.mesh, [], outcome.mesh.seconds)
         self._data = MeshData(of_core(outcome.mesh), height_errors(outcome.mesh), report)
         self._results.show(self._data)
         self._tabs.setCurrentIndex(_RESULTS_TAB)

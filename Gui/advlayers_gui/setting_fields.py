@@ -6,8 +6,9 @@ from typing import Any, Callable, Iterable, List, Optional
 import FreeCADGui
 from PySide import QtGui
 
-from advlayers.properties import from_property, property_name, to_property, unset_value
-from advlayers.settings_table import Setting
+from advlayers.errors import InputError
+from advlayers.properties import from_property, property_name, to_property
+from advlayers.settings_table import Setting, unset_value
 from advlayers_gui.resources import tr
 
 _HIGHEST = 1e9  # where a setting has no bound of its own
@@ -34,6 +35,14 @@ class Field:
 
     def bind(self, document_object) -> None:
         """Offers expressions, where the widget can."""
+
+    def enable(self, on: bool) -> None:
+        self.widget.setEnabled(on)
+
+    def release(self) -> None:
+        """Lets go of the widget. FreeCAD deletes its own ones without telling Python, which would
+        take the next widget at their address for them."""
+        self.widget = None
 
 
 class QuantityField(Field):
@@ -169,11 +178,32 @@ class FlagField(Field):
         self.widget.toggled.connect(lambda _on: act())
 
 
+class LinesField(Field):
+    """A line of numbers for each of several things, as the property has them."""
+
+    def __init__(self, entry: Setting) -> None:
+        super().__init__(entry, QtGui.QPlainTextEdit())
+        self.widget.setMaximumHeight(3 * self.widget.fontMetrics().height() + 12)
+        self.widget.setTabChangesFocus(True)
+
+    def value(self) -> Any:
+        lines = [line.strip() for line in self.widget.toPlainText().splitlines()]
+        return from_property(self.entry, [line for line in lines if line])
+
+    def show(self, value: Any) -> None:
+        self.widget.setPlainText("\n".join(
+            " ".join(f"{float(word):g}" for word in line.split())
+            for line in to_property(self.entry, value)))
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        """A line that is being written is no entry yet: it counts with Mesh and OK."""
+
+
 def field_for(entry: Setting) -> Field:
     if entry.kind == "number":
         return QuantityField(entry) if entry.unit else NumberField(entry)
     return {"count": CountField, "layers": LayersField, "choice": ChoiceField,
-            "flag": FlagField}[entry.kind](entry)
+            "flag": FlagField, "refinements": LinesField}[entry.kind](entry)
 
 
 def label_of(entry: Setting) -> str:
@@ -185,9 +215,10 @@ class SettingsForm:
     """Rows of fields that show and change the properties of one document object."""
 
     def __init__(self, document_object, entries: Iterable[Setting], layout,
-                 on_edited: Callable[[], None], optional: bool = False) -> None:
+                 on_edited: Callable[[], None], on_refused: Callable[[str], None],
+                 optional: bool = False) -> None:
         """`optional`: each row has a box to tick for a value that is given."""
-        self._object, self._on_edited = document_object, on_edited
+        self._object, self._on_edited, self._on_refused = document_object, on_edited, on_refused
         layout.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         self._fields: List[Field] = []
         self._given: List[Optional[Any]] = []
@@ -206,7 +237,7 @@ class SettingsForm:
         label.setToolTip(entry.doc)
         if optional:
             label.setObjectName(f"{name}_given")
-            label.toggled.connect(field.widget.setEnabled)
+            label.toggled.connect(field.enable)
             label.toggled.connect(lambda _on: self._edited())
         layout.addRow(label, field.widget)
         self._fields.append(field)
@@ -219,13 +250,14 @@ class SettingsForm:
             known = given is None or value != unset_value(field.entry)
             if given is not None:
                 given.setChecked(known)
-                field.widget.setEnabled(known)
+                field.enable(known)
             if known:
                 field.show(value)
         self._loading = False
 
     def store(self) -> None:
-        """Writes what differs; a property that an expression rules keeps its expression."""
+        """Writes what differs; a property that an expression rules keeps its expression. Raises
+        InputError for an entry that makes no sense."""
         ruled = {path.lstrip(".") for path, _expression in self._object.ExpressionEngine}
         for field, given in zip(self._fields, self._given):
             entry, name = field.entry, property_name(field.entry)
@@ -236,7 +268,18 @@ class SettingsForm:
             if from_property(entry, getattr(self._object, name)) != wanted:
                 setattr(self._object, name, to_property(entry, wanted))
 
+    def release(self) -> None:
+        """The widgets are going away."""
+        self._loading = True
+        for field in self._fields:
+            field.release()
+
     def _edited(self) -> None:
-        if not self._loading:
+        if self._loading:
+            return
+        try:
             self.store()
+        except InputError as error:
+            self._on_refused(str(error))
+        else:
             self._on_edited()

@@ -28,6 +28,7 @@ class TaskPanel:
         self._document_name, self._object_name = document_object.Document.Name, document_object.Name
         self._heights = HeightPreview()
         self._overlays = [Overlay(document_object.Document, self._heights.root)]
+        self._undo_count = document_object.Document.UndoCount
         self._visible_before: List[Tuple[str, bool]] = []
         self._left = False
         self.form = QtGui.QWidget()
@@ -54,7 +55,7 @@ class TaskPanel:
         document = FreeCAD.getDocument(self._document_name)
         if document.HasPendingTransaction:
             document.abortTransaction()
-        elif document.UndoNames and document.UndoNames[0] == self.TITLE:
+        elif document.UndoCount > self._undo_count:
             document.undo()  # work in another document has closed the transaction meanwhile
         self._restore_visibility()  # once more: it may have been part of the transaction
         FreeCADGui.getDocument(document.Name).resetEdit()

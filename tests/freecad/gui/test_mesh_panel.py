@@ -62,8 +62,14 @@ def test_every_setting_can_be_reached(opened):
     child(QtGui.QComboBox, "LayersEnd").setCurrentIndex(2)
     child(QtGui.QSpinBox, "LayersNumber").setValue(2)
     child(QtGui.QWidget, "LayerMesh_size").setProperty("rawValue", 4.0)
+    points = child(QtGui.QPlainTextEdit, "LayerMesh_refinements")
+    points.setPlainText("1 2 3")
+    click("AdvLayersMeshButton")
+    assert "x y z size radius" in status()
+    points.setPlainText("30 20 10 1.5 2")
     mesh_until_done(opened)
     press_ok()
+    assert opened.Refinements == ["30 20 10 1.5 2"]
     assert (opened.Threads, opened.Layers, opened.Size.Value) == (1, "2", 4.0)
     names = [opened.FemMesh.getGroupName(i) for i in opened.FemMesh.Groups]
     assert "Layer2" in names and "Layer3" not in names
@@ -138,7 +144,7 @@ def test_cancel_of_a_later_edit_restores_everything(box):
     child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(1)
     select((box, "Edge2"))
     click("AdvLayersAddWall")
-    click("AdvLayersAddGroup")
+    click("AdvLayersAddSize")
     child(QtGui.QTableWidget, "AdvLayersConditions").selectRow(0)
     click("AdvLayersRemoveControl")
     mesh_until_done(made)
