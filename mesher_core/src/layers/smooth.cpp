@@ -14,6 +14,8 @@ constexpr int kPasses = 8;
 constexpr double kMostStep = 0.05;    // of the height, per pass
 constexpr double kLeastAngle = 0.01;  // [rad] that a move may leave in an element beside it
 constexpr double kUneven = 1.15;      // neighbour edges that differ more are worth smoothing
+// Front edges of this many heights: no angle gains from a step along them, but heights lose.
+constexpr double kFlat = 12.0;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -44,6 +46,7 @@ std::vector<Spring> springs(const LayerState& state, const LayerPlan& plan) {
     spring.parent = state.mesh.position(state.front[kid.origin].vertex);
     spring.original = kid.point.xyz;
     spring.height = (kid.point.xyz - spring.parent).norm();
+    if (a + b > 2.0 * kFlat * spring.height) continue;
     result.push_back(spring);
   }
   return result;

@@ -58,8 +58,11 @@ Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Colu
                       HalfedgeH border) {
   Sample sample;
   const VertexH foot = mesh.from(border);
-  const VertexH kid = columns.only_kid(foot);
-  if (!kid.valid()) return sample;
+  VertexH kid = columns.only_kid(foot);
+  if (!kid.valid()) {  // of several, the one over this wall: it bounds the wall's own element
+    kid = mesh.to(mesh.next(SurfaceMesh::twin(border)));
+    if (mesh.data(kid).parent != foot) return sample;
+  }
   sample.first = arc_length(surface, mesh.data(foot).point, mesh.data(kid).point);
   sample.regularity = regularity(mesh, columns, border);
   sample.whole = sample.first;
