@@ -35,8 +35,9 @@ class Extruder {
       }
       const EndStep step = ends.step(i, draft_.height(i), follows);
       if (!step.kid.valid()) {
-        if (draft_.shape(i).length() > kStepAspect * draft_.height(i))
-          draft_.end(i, Stop::kNeighbour);
+        // Fingers of layers would grow on from fans, whose edges grow as fast as their heights.
+        const bool flat = draft_.shape(i).length() > kStepAspect * draft_.height(i);
+        if (flat || draft_.state.stop_at_isotropy) draft_.end(i, Stop::kNeighbour);
       } else if (step.height <= 0.0) {
         draft_.end(i, Stop::kCollision);
       } else {

@@ -5,6 +5,7 @@
 
 #include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
+#include "layers/isotropy.h"
 #include "sizing/gap_rule.h"
 
 namespace advlayers {
@@ -28,13 +29,17 @@ class HeightSetter {
       if (!node.active || (node.prev < 0 && node.next < 0)) continue;
       draft_.plan.shapes[index(i)] = node_shape(draft_.mesh, draft_.front, i);
       draft_.heights[index(i)] = std::min(node.height, draft_.state.max_height);
-      if (node.layers_left <= 0) {
-        draft_.end(i, Stop::kLayersReached);
-      } else if (draft_.state.stop_at_isotropy && node.height >= draft_.shape(i).length()) {
-        draft_.end(i, Stop::kIsotropic);
-      }
+      if (node.layers_left <= 0) draft_.end(i, Stop::kLayersReached);
     }
+    if (draft_.state.stop_at_isotropy) end_isotropic();
     draft_.drop_lone_nodes(Stop::kNeighbour);
+  }
+
+  void end_isotropic() {
+    const std::vector<char> isotropic = isotropic_nodes(draft_.front, draft_.plan.shapes);
+    for (int i = 0; i < draft_.front.size(); ++i) {
+      if (draft_.advances(i) && isotropic[index(i)] != 0) draft_.end(i, Stop::kIsotropic);
+    }
   }
 
   void cap_by_gaps() {
