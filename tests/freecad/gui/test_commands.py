@@ -15,23 +15,6 @@ from window import answer_message, close_panel, events, run, screenshot, select
 
 
 @pytest.fixture
-def box():
-    FreeCADGui.activateWorkbench("AdvancingLayersWorkbench")
-    document = FreeCAD.newDocument("CommandTest")
-    made = document.addObject("Part::Box", "Box")
-    made.Length, made.Width, made.Height = 30, 20, 10
-    document.recompute()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
-    events()
-    yield made
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.ActiveDocument.resetEdit()
-        FreeCADGui.Control.closeDialog()
-    events()
-    FreeCAD.closeDocument(document.Name)
-
-
-@pytest.fixture
 def mesh(box):
     made = advlayers.make_layer_mesh(box, size=5, first_height=0.5, layers=2)
     box.Document.clearUndos()

@@ -10,16 +10,6 @@ from advlayers import analysis, check
 
 
 @pytest.fixture
-def box():
-    document = FreeCAD.newDocument("Analysis")
-    made = document.addObject("Part::Box", "Box")
-    made.Length, made.Width, made.Height = 30, 20, 10
-    document.recompute()
-    yield made
-    FreeCAD.closeDocument(document.Name)
-
-
-@pytest.fixture
 def pressed(box):
     """An analysis of a shell with a pressure on one face, whose mesh is a layer mesh."""
     document = box.Document

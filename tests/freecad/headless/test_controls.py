@@ -9,16 +9,6 @@ from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS, optional_doc,
 
 
 @pytest.fixture
-def box():
-    document = FreeCAD.newDocument("Controls")
-    made = document.addObject("Part::Box", "Box")
-    made.Length, made.Width, made.Height = 30, 20, 10
-    document.recompute()
-    yield made
-    FreeCAD.closeDocument(document.Name)
-
-
-@pytest.fixture
 def mesh(box):
     return advlayers.make_layer_mesh(box, mesh_now=False, size=5, first_height=0.5, layers=2)
 

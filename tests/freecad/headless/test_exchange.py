@@ -10,16 +10,6 @@ from advlayers.errors import InputError
 
 
 @pytest.fixture
-def box():
-    document = FreeCAD.newDocument("Exchange")
-    made = document.addObject("Part::Box", "Box")
-    made.Length, made.Width, made.Height = 30, 20, 10
-    document.recompute()
-    yield made
-    FreeCAD.closeDocument(document.Name)
-
-
-@pytest.fixture
 def mesh(box):
     return advlayers.make_layer_mesh(box, size=4, first_height=0.5, layers=3,
                                      groups={"inlet": ["Face1"]})

@@ -10,16 +10,6 @@ from advlayers import layer_mesh
 from advlayers.errors import InputError
 
 
-@pytest.fixture
-def box():
-    document = FreeCAD.newDocument("Headless")
-    made = document.addObject("Part::Box", "Box")
-    made.Length, made.Width, made.Height = 30, 20, 10
-    document.recompute()
-    yield made
-    FreeCAD.closeDocument(document.Name)
-
-
 def groups_of(fem):
     return {fem.getGroupName(i): (fem.getGroupElementType(i), fem.getGroupElements(i))
             for i in fem.Groups}
