@@ -8,15 +8,18 @@ import os
 import shutil
 import subprocess
 import tempfile
+import time
 from typing import Any, Dict, List, Tuple
 
 import numpy as np
 
 from advlayers import cad_input, stored_mesh
 from advlayers.errors import InputError
+from advlayers.layer_mesh import window_watch
 from advlayers.mesh_groups import face_of_element
 from advlayers.triangle_mesh import triangles_of
 
+_POLL = 0.05  # [s] between two looks at the program
 _MSH_TRIANGLE, _MSH_TETRAHEDRON = 2, 4
 
 
@@ -93,17 +96,35 @@ def _run(command: str, nodes, cells, faces, solids, size: float) -> Tuple[Any, A
                 loop = ", ".join(map(str, solid))
                 file.write(f"Surface Loop({number}) = {{{loop}}};\n"
                            f"Volume({number}) = {{{number}}};\n")
-        run = subprocess.run(
-            [command, "volume.geo", "-3", "-format", "msh22", "-o", "volume.msh"],
-            cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        log, status = _call([command, "volume.geo", "-3", "-format", "msh22", "-o", "volume.msh"],
+                            folder)
         path = os.path.join(folder, "volume.msh")
-        errors = [line.split(":", 1)[1].strip() for line in (run.stdout + run.stderr).splitlines()
+        errors = [line.split(":", 1)[1].strip() for line in log.splitlines()
                   if line.startswith("Error")]
         found = _read_msh(path) if os.path.exists(path) else (nodes, np.zeros((0, 4), int))
-    if run.returncode or not len(found[1]):
-        why = errors[0] if errors else f"no tetrahedron came out, exit status {run.returncode}"
+    if status or not len(found[1]):
+        why = errors[0] if errors else f"no tetrahedron came out, exit status {status}"
         raise InputError("", f"Gmsh cannot fill the mesh: {why}")
     return _surface_first(nodes, *found)
+
+
+def _call(command: List[str], folder: str) -> Tuple[str, int]:
+    """What the program printed, and its exit status. Like a run of the mesher it lets a window
+    show that it goes on, and stop it."""
+    log = os.path.join(folder, "log.txt")
+    with open(log, "w", encoding="utf-8") as file:
+        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=file,
+                                   stderr=subprocess.STDOUT)
+        try:
+            while process.poll() is None:
+                window_watch.get()([])
+                time.sleep(_POLL)
+        except BaseException:
+            process.kill()
+            process.wait()
+            raise
+    with open(log, encoding="utf-8", errors="replace") as file:
+        return file.read(), process.returncode
 
 
 def _surface_first(surface, nodes, tetrahedra) -> Tuple[Any, Any]:

@@ -163,7 +163,9 @@ class FillVolume(_OnOneMesh):
     TOOLTIP = "Fills the inside of a closed layer mesh with tetrahedra, using Gmsh"
 
     def run_on(self, mesh) -> None:
-        with Transaction(mesh.Document, "Fill with Tetrahedra"):
+        from advlayers_gui.progress_window import shown_progress
+
+        with Transaction(mesh.Document, "Fill with Tetrahedra"), shown_progress(mesh.Label):
             do("from advlayers import volume_fill")
             do(f"volume_fill.fill({in_code(mesh)})")
         mesh.Document.recompute()

@@ -45,10 +45,11 @@ class _Watch:
     def __call__(self, reports: List[Any]) -> None:
         self._layers = max([self._layers] + [report.layer for report in reports])
         self._elements += sum(report.quads + report.triangles for report in reports)
-        self._window.setLabelText(tr("{label}: layer {layer}, {elements} elements, {seconds} s")
-                                  .format(label=self._label, layer=self._layers,
-                                          elements=self._elements,
-                                          seconds=f"{time.monotonic() - self._start:.1f}"))
+        seconds = f"{time.monotonic() - self._start:.1f}"
+        text = tr("{label}: layer {layer}, {elements} elements, {seconds} s") if self._elements \
+            else tr("{label}: {seconds} s")
+        self._window.setLabelText(text.format(
+            label=self._label, layer=self._layers, elements=self._elements, seconds=seconds))
         self._window.setValue(0)
         QtCore.QCoreApplication.processEvents()
         if self._window.wasCanceled():

@@ -603,6 +603,10 @@
         <translation>{label}: Schicht {layer}, {elements} Elemente, {seconds} s</translation>
     </message>
     <message>
+        <source>{label}: {seconds} s</source>
+        <translation>{label}: {seconds} s</translation>
+    </message>
+    <message>
         <source>{quads} quads and {triangles} triangles ({percent:.1f} % quads) in {seconds:.1f} s</source>
         <translation>{quads} Vierecke und {triangles} Dreiecke ({percent:.1f} % Vierecke) in {seconds:.1f} s</translation>
     </message>

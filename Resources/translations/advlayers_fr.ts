@@ -603,6 +603,10 @@
         <translation>{label} : couche {layer}, {elements} éléments, {seconds} s</translation>
     </message>
     <message>
+        <source>{label}: {seconds} s</source>
+        <translation>{label} : {seconds} s</translation>
+    </message>
+    <message>
         <source>{quads} quads and {triangles} triangles ({percent:.1f} % quads) in {seconds:.1f} s</source>
         <translation>{quads} quadrangles et {triangles} triangles ({percent:.1f} % de quadrangles) en {seconds:.1f} s</translation>
     </message>

@@ -30,7 +30,7 @@ def test_every_command_is_announced():
     for kind in filter(None, commands._COMMANDS):
         announced = kind().GetResources()
         assert os.path.isfile(announced["Pixmap"]), announced["Pixmap"]
-        assert not QtGui.QIcon(announced["Pixmap"]).pixmap(32, 32).isNull()
+        assert not FreeCADGui.getIcon(announced["Pixmap"]).pixmap(32, 32).isNull()
         assert announced["MenuText"] and len(announced["ToolTip"]) > 20
         keys += [announced["Accel"]] if announced["Accel"] else []
     assert len(keys) == len(set(keys)) >= 6

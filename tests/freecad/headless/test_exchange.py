@@ -6,7 +6,7 @@ import ObjectsFem
 import pytest
 from advlayers import (
     gmsh_takeover, layer_mesh, mesh_feature, object_export, stored_mesh, volume_fill)
-from advlayers.errors import InputError
+from advlayers.errors import InputError, Stopped
 
 
 @pytest.fixture
@@ -110,6 +110,22 @@ def test_a_volume_with_a_cavity_and_two_solids(box):
     mesh = advlayers.make_layer_mesh(both, size=2, first_height=0.5, layers=1)
     made = volume_fill.fill(mesh)
     assert volume_of(made.FemMesh) == pytest.approx(both.Shape.Volume, rel=0.01)
+
+
+def test_filling_can_be_stopped(mesh):
+    needs_gmsh()
+    before = [entry.Name for entry in mesh.Document.Objects]
+
+    def stop(_reports):
+        raise Stopped
+
+    token = layer_mesh.window_watch.set(stop)
+    try:
+        with pytest.raises(Stopped):
+            volume_fill.fill(mesh)
+    finally:
+        layer_mesh.window_watch.reset(token)
+    assert [entry.Name for entry in mesh.Document.Objects] == before
 
 
 def test_an_open_surface_is_refused(box):
