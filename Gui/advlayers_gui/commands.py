@@ -8,7 +8,7 @@ import FreeCADGui
 from advlayers_gui import make_commands, mesh_commands
 
 # In the order of toolbar and menu; None: a separator.
-_COMMANDS = (
+COMMANDS = (
     make_commands.LayerMesh, make_commands.Wall, make_commands.Size, make_commands.Group, None,
     mesh_commands.Update, mesh_commands.Check, mesh_commands.FollowReferences,
     mesh_commands.AcceptReferences, None,
@@ -20,14 +20,15 @@ CONTEXT = ("Wall", "Size", "Group", "Update", "Check", "FollowReferences", "Acce
 
 
 def register() -> List[str]:
-    """Makes the commands known to FreeCAD; returns their names in the order of the toolbar."""
+    """Makes the commands known to FreeCAD, once; returns their names as the toolbar has them."""
+    known = FreeCADGui.listCommands()
     names = []
-    for kind in _COMMANDS:
-        if kind is None:
-            names.append("Separator")
-        else:
-            names.append(f"AdvLayers_{kind.NAME}")
-            FreeCADGui.addCommand(names[-1], kind())
+    for kind in COMMANDS:
+        name = f"AdvLayers_{kind.NAME}" if kind else "Separator"
+        names.append(name)
+        # Another command of that name would leave the buttons of the first one to themselves.
+        if kind and name not in known:
+            FreeCADGui.addCommand(name, kind())
     return names
 
 

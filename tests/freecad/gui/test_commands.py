@@ -27,7 +27,7 @@ def test_every_command_is_announced():
     names = [name for name in commands.register() if name != "Separator"]
     assert set(names) <= set(FreeCADGui.listCommands())
     keys = []
-    for kind in filter(None, commands._COMMANDS):
+    for kind in filter(None, commands.COMMANDS):
         announced = kind().GetResources()
         assert os.path.isfile(announced["Pixmap"]), announced["Pixmap"]
         assert not FreeCADGui.getIcon(announced["Pixmap"]).pixmap(32, 32).isNull()
