@@ -1,6 +1,7 @@
 """Writes docs/results.md, its tables, histograms and pictures, from what the benchmarks measured.
 
     ./dev bench quality --peers --meshes out/bench --json out/bench/quality.json
+    ./dev bench ablation --json out/bench/ablation.json
     ./dev bench speed --json out/bench/speed.json
     ./dev docs results
 
@@ -24,8 +25,7 @@ PICTURE = os.path.join(ROOT, "Resources", "examples", "mesh_picture.py")
 
 INTRODUCTION = """# Results
 
-Written by `docs/make_results.py` from what `./dev bench quality` and `./dev bench speed` measured;
-do not edit. Sizes in mm, angles in degrees, shares in percent. *Heights within 2 %* and *normal*
+Written by `./dev docs results` from what `./dev bench` measured; do not edit. Sizes in mm, angles in degrees, shares in percent. *Heights within 2 %* and *normal*
 are measured on the finished mesh over the regular wall nodes (not within two segments of a corner,
 one kid): how many first kids are as far from the wall's curve as was asked, to 2 %, and the mean
 angle between an extrusion and the normal of its front in the first five layers.
@@ -174,6 +174,19 @@ def pictures() -> str:
     return "\n## Pictures\n\nLayers in blue, darkest at the walls.\n" + text if text else ""
 
 
+def ablation(found: Dict[str, Any]) -> str:
+    head = ["without", "elements", "triangles", "quads", "least quads of a shape", "45–135", "< 20",
+            "seconds"]
+    rows = [[row["without"] or "*(nothing: the whole method)*", str(row["elements"]),
+             str(row["triangles"]), f"{row['quads']:.2f}", f"{row['least']:.2f}",
+             f"{row['angles']:.2f}", f"{row['below_20']:.3f}", f"{row['seconds']:.2f}"]
+            for row in found["rows"]]
+    return (f"\n## What each step is worth\n\n{found['shapes']} shapes (the paper's cases and random "
+            "faces) meshed with one step left out at a time; sums over all of them, seconds of "
+            "processor time for layers and core. The steps are those of [method.md](method.md).\n\n"
+            + table(head, rows))
+
+
 def speed(found: Dict[str, Any]) -> str:
     head = ["surface", "elements", "elements/s", "gmsh, Blossom", "gmsh, full quads", "ratio"]
     rows = []
@@ -201,6 +214,9 @@ def main() -> None:
     if rows is None:
         sys.exit("no out/bench/quality.json: run ./dev bench quality first, as this file says")
     text += quality(rows) + histograms(rows) + pictures()
+    steps = read("ablation.json")
+    if steps:
+        text += ablation(steps)
     timed = read("speed.json")
     if timed:
         text += speed(timed)

@@ -47,7 +47,8 @@ class Closer {
       const int i = queue_.front();
       queue_.pop_front();
       if (!front_[i].active || front_[i].next < 0 || front_[i].prev < 0) continue;
-      if (close_small_ring(i) || close_tip(i) || zip_end(i)) continue;
+      if (close_small_ring(i) || (state_.steps.tips && close_tip(i))) continue;
+      if (state_.steps.zips) zip_end(i);
     }
   }
 
@@ -82,7 +83,11 @@ class Closer {
     });
     for (const Gap& gap : gaps) {
       state_.cancel->check();
-      if (front_[gap.node].active && (place_rung(gap) || place_triangle(gap))) close_queued();
+      if (!front_[gap.node].active) continue;
+      if ((state_.steps.rungs && place_rung(gap)) ||
+          (state_.steps.bridges && place_triangle(gap))) {
+        close_queued();
+      }
     }
   }
 

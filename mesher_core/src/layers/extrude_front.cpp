@@ -61,7 +61,7 @@ class Extruder {
   void extrude(int i) {
     const NodeShape& s = draft_.shape(i);
     const bool on_wall = draft_.mesh.data(draft_.front[i].vertex).support != Support::kPatch;
-    if (on_wall && s.angle >= kFanAngle) {
+    if (draft_.state.steps.fans && on_wall && s.angle >= kFanAngle) {
       extrude_fan(i, s.angle >= kReversalAngle ? 2 : 1);
       return;
     }

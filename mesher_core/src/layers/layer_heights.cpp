@@ -48,6 +48,7 @@ class HeightSetter {
     for (int i = 0; i < draft_.front.size(); ++i) {
       if (!draft_.advances(i) || is_chain_end(draft_.front[i])) continue;
       const double height = draft_.height(i);
+      if (!draft_.state.steps.sharing) continue;
       // Ours and the opposing one; a corner runs ahead of its row.
       const double rows = 1.0 + concave_factor(draft_.shape(i), height);
       draft_.heights[index(i)] = height_in_gap(height, draft_.opposites[index(i)].gap, rows);

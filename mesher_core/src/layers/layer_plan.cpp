@@ -13,9 +13,9 @@ LayerPlan plan_layer(LayerState& state) {
   PlanDraft draft(state);
   set_heights(draft);
   step_chain_ends(draft);
-  end_rows(draft);
+  if (state.steps.row_ends) end_rows(draft);
   extrude_front(draft);
-  coarsen_front(draft);
+  if (state.steps.coarsening) coarsen_front(draft);
   merge_close_kids(draft);
   plan_cells(draft);
   return std::move(draft.plan);

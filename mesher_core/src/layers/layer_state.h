@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "layers/front.h"
+#include "layers/layer_steps.h"
 #include "layers/patch_layers.h"
 #include "layers/reconnect.h"
 
@@ -18,6 +19,7 @@ struct LayerState {
   Front front;
   double max_height;
   bool stop_at_isotropy;
+  LayerSteps steps;
   ReconnectLimits limits{};
   SwapQueue swaps;
   int layer = 0;

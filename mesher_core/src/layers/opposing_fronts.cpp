@@ -23,7 +23,7 @@ class Aligner {
         front_(state.front),
         shapes_(shapes),
         heights_(heights),
-        aligns_(state.layer > kStraightLayers),
+        aligns_(state.steps.alignment && state.layer > kStraightLayers),
         opposites_(shapes.size()),
         sights_(shapes.size()) {}
 

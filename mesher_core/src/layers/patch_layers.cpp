@@ -36,14 +36,12 @@ struct PatchLayers::Impl {
   LayerState state;
   StepHook hook;
 
-  Impl(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan)
-      : state{patch,
-              mesh,
-              surface,
-              Front(mesh, plan),
-              plan.max_height,
-              plan.stop_at_isotropy,
-              ReconnectLimits{},
+  Impl(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan,
+       const LayerSteps& steps)
+      : state{patch,           mesh,
+              surface,         Front(mesh, plan),
+              plan.max_height, plan.stop_at_isotropy,
+              steps,           ReconnectLimits{},
               SwapQueue(mesh)} {}
 
   void done(Step step) const {
@@ -65,7 +63,7 @@ struct PatchLayers::Impl {
     done(Step::kRecover);
     combine_cells(state, plan);
     done(Step::kCombine);
-    smooth_layer(state, plan);
+    if (state.steps.smoothing) smooth_layer(state, plan);
     done(Step::kSmooth);
     state.swaps.run(state.limits, state.report->vetoes);
     done(Step::kImprove);
@@ -75,8 +73,8 @@ struct PatchLayers::Impl {
 };
 
 PatchLayers::PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface,
-                         const WallPlan& plan)
-    : impl_(std::make_unique<Impl>(patch, mesh, surface, plan)) {}
+                         const WallPlan& plan, const LayerSteps& steps)
+    : impl_(std::make_unique<Impl>(patch, mesh, surface, plan, steps)) {}
 PatchLayers::~PatchLayers() = default;
 
 bool PatchLayers::advance(LayerReport& report, const CancelFlag& cancel) {

@@ -12,6 +12,7 @@
 #include "base/cancel.h"
 #include "base/diagnostic.h"
 #include "geometry/patch_surface.h"
+#include "layers/layer_steps.h"
 #include "layers/wall_plan.h"
 #include "mesh/surface_mesh.h"
 
@@ -79,7 +80,8 @@ class PatchLayers {
   // Called after each step of a layer; the mesh is valid then. For tests and previews.
   using StepHook = std::function<void(Step, const SurfaceMesh&)>;
 
-  PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan);
+  PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan,
+              const LayerSteps& steps = {});
   ~PatchLayers();
 
   // Advances one layer. Returns false, and changes nothing, once no front is left.

@@ -75,17 +75,20 @@ void pair_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
 
 }  // namespace
 
-void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
+void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel,
+               const RecombineSteps& steps) {
   pair_triangles(mesh, cancel);
   const std::vector<VertexH> free = free_vertices(mesh), seam = seam_vertices(mesh);
   for (int round = 0; round < kRounds; ++round) {
-    const int joined = join_triangles(mesh, cancel);
+    const int joined = steps.walks ? join_triangles(mesh, cancel) : 0;
     if (round > 0 && joined == 0) break;
+    if (!steps.smoothing) continue;
     smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweeps, cancel);
     smooth_stars(mesh, surface, seam, QuadTarget::kRectangle, kSweeps, cancel);
   }
-  close_triangle_pairs(mesh, cancel);
-  recut_pentagons(mesh, cancel);
+  if (steps.pairs) close_triangle_pairs(mesh, cancel);
+  if (steps.pentagons) recut_pentagons(mesh, cancel);
+  if (!steps.smoothing) return;
   smooth_stars(mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps, cancel);
 }
 

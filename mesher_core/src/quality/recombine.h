@@ -9,8 +9,17 @@
 
 namespace advlayers {
 
+// Which passes are made: all, but where tests/bench measures what each is worth.
+struct RecombineSteps {
+  bool walks = true;      // of single triangles towards each other
+  bool pairs = true;      // of triangles within layers taken out together
+  bool pentagons = true;  // of a quad and a triangle cut anew
+  bool smoothing = true;  // towards right angles
+};
+
 // The mesh is a valid mesh of the patch before and after; frozen edges and the vertices outside
 // the core stay as they are. Throws Cancelled.
-void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel);
+void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel,
+               const RecombineSteps& steps = {});
 
 }  // namespace advlayers
