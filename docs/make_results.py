@@ -25,10 +25,11 @@ PICTURE = os.path.join(ROOT, "Resources", "examples", "mesh_picture.py")
 
 INTRODUCTION = """# Results
 
-Written by `./dev docs results` from what `./dev bench` measured; do not edit. Sizes in mm, angles in degrees, shares in percent. *Heights within 2 %* and *normal*
-are measured on the finished mesh over the regular wall nodes (not within two segments of a corner,
-one kid): how many first kids are as far from the wall's curve as was asked, to 2 %, and the mean
-angle between an extrusion and the normal of its front in the first five layers.
+Written by `./dev docs results` from what `./dev bench` measured; do not edit. Sizes in mm, angles in
+degrees, shares in percent. *Heights within 2 %* and *normal* are measured on the finished mesh over
+the regular wall nodes (not within two segments of a corner, one kid): how many first kids are as
+far from the wall's curve as was asked, to 2 %, and the mean angle between an extrusion and the
+normal of its front in the first five layers.
 """
 HISTOGRAMS = (
     ("wing", "NACA 0018", ("wing, growth 1.05", "wing, growth 1.1")),
@@ -181,8 +182,8 @@ def ablation(found: Dict[str, Any]) -> str:
              str(row["triangles"]), f"{row['quads']:.2f}", f"{row['least']:.2f}",
              f"{row['angles']:.2f}", f"{row['below_20']:.3f}", f"{row['seconds']:.2f}"]
             for row in found["rows"]]
-    return (f"\n## What each step is worth\n\n{found['shapes']} shapes (the paper's cases and random "
-            "faces) meshed with one step left out at a time; sums over all of them, seconds of "
+    return (f"\n## What each step is worth\n\n{found['shapes']} shapes (the paper's cases and "
+            "random faces) meshed with one step left out at a time; sums over all of them, seconds of "
             "processor time for layers and core. The steps are those of [method.md](method.md).\n\n"
             + table(head, rows))
 
