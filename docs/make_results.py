@@ -25,8 +25,8 @@ PICTURE = os.path.join(ROOT, "Resources", "examples", "mesh_picture.py")
 
 INTRODUCTION = """# Results
 
-Written by `./dev docs results` from what `./dev bench` measured; do not edit. Sizes in mm, angles in
-degrees, shares in percent. *Heights within 2 %* and *normal* are measured on the finished mesh over
+Written by `./dev docs results` from what `./dev bench` measured; do not edit. Sizes in mm, angles
+in degrees, shares in percent. *Heights within 2 %* and *normal* are measured on the mesh, over
 the regular wall nodes (not within two segments of a corner, one kid): how many first kids are as
 far from the wall's curve as was asked, to 2 %, and the mean angle between an extrusion and the
 normal of its front in the first five layers.
@@ -183,7 +183,7 @@ def ablation(found: Dict[str, Any]) -> str:
              f"{row['angles']:.2f}", f"{row['below_20']:.3f}", f"{row['seconds']:.2f}"]
             for row in found["rows"]]
     return (f"\n## What each step is worth\n\n{found['shapes']} shapes (the paper's cases and "
-            "random faces) meshed with one step left out at a time; sums over all of them, seconds of "
+            "random faces) meshed with one step left out at a time; sums over all, seconds of "
             "processor time for layers and core. The steps are those of [method.md](method.md).\n\n"
             + table(head, rows))
 
