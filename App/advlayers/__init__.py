@@ -4,9 +4,36 @@ Importing the package is cheap: FreeCAD and the mesher's core are loaded at firs
 """
 from __future__ import annotations
 
+import contextlib
+import functools
+
 __version__ = "0.1.0"
 
+_done_already = False
 
+
+def _action(function):
+    """Something that changes a document; see done_already()."""
+    @functools.wraps(function)
+    def act(*arguments, **keywords):
+        return None if _done_already else function(*arguments, **keywords)
+
+    return act
+
+
+@contextlib.contextmanager
+def done_already():
+    """Inside the block this package's functions do nothing: so a window can have the macro recorder
+    see what was done in a panel, as a line that runs but changes nothing more."""
+    global _done_already
+    _done_already = True
+    try:
+        yield
+    finally:
+        _done_already = False
+
+
+@_action
 def make_layer_mesh(source, mesh_now: bool = True, **settings):
     """Meshes a document object and returns the new Fem::FemMeshObjectPython.
 
@@ -23,6 +50,7 @@ def make_layer_mesh(source, mesh_now: bool = True, **settings):
     return mesh_object
 
 
+@_action
 def make_wall(mesh_object, references, condition: str = "Wall", label: str = "", **values):
     """Adds a wall to a layer mesh: `make_wall(mesh, ["Edge1", "Edge2"], first_height="0.1 mm")`.
 
@@ -36,6 +64,7 @@ def make_wall(mesh_object, references, condition: str = "Wall", label: str = "",
     return controls.make(controls.Wall, mesh_object, references, label, condition, values)
 
 
+@_action
 def make_size(mesh_object, references, label: str = "", **values):
     """Adds a local size to a layer mesh: `make_size(mesh, ["Face2"], size="2 mm")`.
 
@@ -46,6 +75,7 @@ def make_size(mesh_object, references, label: str = "", **values):
     return controls.make(controls.Size, mesh_object, references, label, values=values)
 
 
+@_action
 def make_group(mesh_object, name: str, references):
     """Adds a named group of faces and edges to a layer mesh, for boundary conditions.
 
@@ -56,6 +86,13 @@ def make_group(mesh_object, name: str, references):
     return controls.make_group(mesh_object, name, references)
 
 
+@_action
+def remove(control) -> None:
+    """Takes a wall, a size or a group off its layer mesh, and out of the document."""
+    control.Document.removeObject(control.Name)
+
+
+@_action
 def update(mesh_object) -> None:
     """Meshes a layer mesh with its settings as they stand. Raises InputError, or what the core
     raises; the old mesh stays then."""

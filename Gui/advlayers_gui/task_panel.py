@@ -12,6 +12,7 @@ from advlayers import cad_input
 from advlayers.height_lines import wall_lines
 from advlayers.layer_mesh import settings_of
 from advlayers_gui.height_preview import HeightPreview
+from advlayers_gui.recording import Recording
 from advlayers_gui.view_3d import Overlay
 
 # A preview of more edges than this would keep the window waiting after each change.
@@ -30,6 +31,7 @@ class TaskPanel:
         self._overlays = [Overlay(document_object.Document, self._heights.root)]
         self._undo_count = document_object.Document.UndoCount
         self._visible_before: List[Tuple[str, bool]] = []
+        self._recording = Recording(document_object)
         self._left = False
         self.form = QtGui.QWidget()
 
@@ -46,6 +48,7 @@ class TaskPanel:
         document = self._object.Document
         self.leave()
         document.recompute()
+        self._recording.tell()
         document.commitTransaction()
         FreeCADGui.getDocument(document.Name).resetEdit()
         return True

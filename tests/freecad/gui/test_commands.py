@@ -209,32 +209,75 @@ def test_a_gmsh_mesh_is_taken_over(box):
     assert made in analysis.Group and gmsh not in analysis.Group
 
 
-def test_commands_are_recorded(box, tmp_path):
-    """What the console shows is what a macro holds: run again, it makes the same."""
+@pytest.fixture
+def recorded():
+    """The lines of ours that the console has shown since; a macro holds the same."""
     console = FreeCADGui.getMainWindow().findChild(QtGui.QPlainTextEdit, "Python console")
     if console is None:
         pytest.skip("this window has no console")
-    console.clear()
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Macro").SetBool("ScriptToPyConsole", True)
+    console.clear()
+
+    def lines():
+        events(0.3)
+        return [line.lstrip("> ") for line in console.toPlainText().splitlines()
+                if "advlayers" in line or ".getObject(" in line]
+
+    return lines
+
+
+def replayed(lines, box, names):
+    """The settings before and after the lines have run anew on the bare box."""
+    before = [layer_mesh.settings_of(box.Document.getObject(name)) for name in names]
+    nodes = [box.Document.getObject(name).FemMesh.NodeCount for name in names]
+    for entry in list(box.Document.Objects):
+        if entry is not box and entry.Name in [kept.Name for kept in box.Document.Objects]:
+            box.Document.removeObject(entry.Name)
+    exec("\n".join(lines), {"FreeCAD": FreeCAD})
+    meshes = [box.Document.getObject(name) for name in names]
+    assert [mesh.FemMesh.NodeCount for mesh in meshes] == nodes
+    return before, [layer_mesh.settings_of(mesh) for mesh in meshes]
+
+
+def test_commands_are_recorded(box, recorded):
+    select((box, ""))
+    run("LayerMesh")
+    close_panel()
+    select((box, "Edge1"))
+    run("Wall")
+    close_panel()
+    select((box, "Face2"))
+    run("Group")
+    run("Update")
+    lines = recorded()
+    for call in ("make_layer_mesh", "make_wall", "make_group", "advlayers.update"):
+        assert any(call in line for line in lines), call
+    before, after = replayed(lines, box, ["LayerMesh"])
+    assert before == after
+
+
+def test_what_is_done_in_a_panel_is_recorded(box, recorded):
+    from advlayers_gui.recording import Recording
+
     select((box, ""))
     run("LayerMesh")
     close_panel()
     mesh = box.Document.getObject("LayerMesh")
-    select((box, "Edge1"))
-    run("Wall")
-    close_panel()
-    events(0.3)
-    lines = [line.lstrip("> ") for line in console.toPlainText().splitlines()
-             if "advlayers" in line]
-    assert any("make_layer_mesh" in line for line in lines)
-    assert any("make_wall" in line for line in lines)
-    settings = layer_mesh.settings_of(mesh)
-    for entry in list(box.Document.Objects):
-        if entry is not box:
-            box.Document.removeObject(entry.Name)
-    code = "\n".join(lines).replace("LayerMesh001", "LayerMesh")
-    exec(code, {"FreeCAD": FreeCAD})
-    assert layer_mesh.settings_of(box.Document.getObject("LayerMesh")) == settings
+    wall = advlayers.make_wall(mesh, ["Edge1"])
+    lines = recorded() + ["advlayers.make_wall(FreeCAD.ActiveDocument.LayerMesh, ['Edge1'])"]
+    recording = Recording(mesh)
+    mesh.Growth, mesh.Faces = 1.3, ["Face1", "Face2"]
+    wall.FirstHeight, wall.Condition = 0.3, "Off"
+    advlayers.make_wall(mesh, ["Edge2"], layers=3)
+    gone = advlayers.make_size(mesh, ["Face1"], size=2)
+    advlayers.make_group(mesh, "in let", ["Face1"])
+    advlayers.remove(gone)
+    advlayers.update(mesh)
+    children = len(box.Document.Objects)
+    recording.tell()
+    assert len(box.Document.Objects) == children, "telling does nothing anew"
+    before, after = replayed(lines + recorded()[len(lines) - 1:], box, ["LayerMesh"])
+    assert before == after
 
 
 def test_the_context_menu(box, mesh):
