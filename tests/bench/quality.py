@@ -34,6 +34,9 @@ HEAD = (f"{'case':32s} {'elements':>8s} {'quads %':>7s} {'layers':>6s} {'core':>
         f"{'< 20':>6s} {'> 160':>6s} {'min':>5s} {'max':>5s} {'inv':>3s} | {'h0 2%':>6s} "
         f"{'worst':>6s} {'growth':>6s} {'normal':>6s} | triangles by cause")
 PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "gmsh_peer.py")
+# Of measure(): what, least, most.
+LAYER_BARS = (("height_within_2", 95.0, 100.0), ("height_off", 0.0, 10.0),
+              ("growth_off", 0.0, 3.0), ("direction", 0.0, 1.0))
 ANGLE_BINS = tuple(range(0, 181, 5))
 
 
@@ -59,7 +62,9 @@ def run(case: Case) -> Tuple[Any, Any, Dict[str, Any]]:
         "angles": figures["angles_45_135_percent"], "below_20": figures["angles_below_20_percent"],
         "above_160": figures["angles_above_160_percent"], "min": figures["min_angle"],
         "max": figures["max_angle"], "inverted": figures["inverted"], "seconds": seconds,
-        "causes": causes, "histogram": np.histogram(angles, ANGLE_BINS)[0].tolist(),
+        "causes": causes,
+        "early_triangles": int(np.isin(mesh.layer_of_triangle, (1, 2)).sum()),
+        "histogram": np.histogram(angles, ANGLE_BINS)[0].tolist(),
         "layers": measure(shape, mesh, case.first_height, case.growth),
         "paper": case.paper, "bar": case.bar}
 
@@ -70,6 +75,12 @@ def missed(row: Dict[str, Any]) -> List[str]:
     for key, bar in (row["bar"] or {}).items():
         if (row[key] > bar) if key == "elements" else (row[key] < bar):
             found.append(f"{key} {row[key]:.6g}, the bar is {bar:g}")
+    layers = row["layers"]
+    if row["group"] == "fan" and row["early_triangles"]:
+        found.append(f"{row['early_triangles']} triangles in the first two layers of a fan")
+    for key, low, high in LAYER_BARS if layers["columns"] else ():
+        if not low <= layers[key] <= high:
+            found.append(f"{key} {layers[key]:.3g}, the bar is {low or high:g}")
     return found
 
 
