@@ -17,6 +17,8 @@ namespace {
 constexpr double kMaxGrowth = 10.0;
 constexpr int kMostSegments = 1000000;
 constexpr double kMostCluster = 1e6;
+constexpr double kLeastHeight = 1e-12;  // of the box diagonal
+constexpr double kLargestAspect = 1e8;
 constexpr double kMostElements = 1e8;  // some 50 GB of mesh
 
 [[noreturn]] void refuse(const std::string& name, const std::string& rule, double value,
@@ -29,6 +31,17 @@ constexpr double kMostElements = 1e8;  // some 50 GB of mesh
 
 void check_positive(const std::string& name, double value, const std::string& where = "") {
   if (!(std::isfinite(value) && value > 0.0)) refuse(name, "> 0 mm", value, where);
+}
+
+// A layer must be higher than coordinates are exact, by an order of magnitude or two.
+void check_height(const std::string& name, double value, const Model& model,
+                  const std::string& where = "") {
+  check_positive(name, value, where);
+  if (value >= kLeastHeight * model.diagonal()) return;
+  std::ostringstream text;
+  text << "> " << kLeastHeight * model.diagonal() << " mm, " << kLeastHeight
+       << " of the shape's diagonal";
+  refuse(name, text.str(), value, where);
 }
 
 void check_growth(double growth, const std::string& where = "") {
@@ -81,12 +94,12 @@ void check_wall(const WallSpec& wall, const Model& model) {
                          (wall.edges.size() > 1 ? ", ...)" : ")"));
     }
   }
-  if (wall.first_height) check_positive("first_height", *wall.first_height, where);
+  if (wall.first_height) check_height("first_height", *wall.first_height, model, where);
   if (wall.growth) check_growth(*wall.growth, where);
-  if (wall.end_height) check_positive("end_height", *wall.end_height, where);
-  if (wall.thickness) check_positive("thickness", *wall.thickness, where);
-  if (wall.aspect_ratio && !(*wall.aspect_ratio > 0.0 && std::isfinite(*wall.aspect_ratio))) {
-    refuse("aspect_ratio", "> 0", *wall.aspect_ratio, where);
+  if (wall.end_height) check_height("end_height", *wall.end_height, model, where);
+  if (wall.thickness) check_height("thickness", *wall.thickness, model, where);
+  if (wall.aspect_ratio && !(*wall.aspect_ratio > 0.0 && *wall.aspect_ratio <= kLargestAspect)) {
+    refuse("aspect_ratio", "in (0, 1e8]", *wall.aspect_ratio, where);
   }
   if (wall.turning_angle && !(*wall.turning_angle > 0.0 && *wall.turning_angle <= 90.0)) {
     refuse("turning_angle", "in (0, 90] degrees", *wall.turning_angle, where);
@@ -215,7 +228,7 @@ void check_amount(const Settings& settings, const Model& model) {
 
 void check(const Settings& settings, const Model& model) {
   check_positive("size", settings.size);
-  check_positive("first_height", settings.first_height);
+  check_height("first_height", settings.first_height, model);
   check_growth(settings.growth);
   check_angles(settings);
   if (settings.end == EndOfGrowth::kLayers && settings.layers < 1) {

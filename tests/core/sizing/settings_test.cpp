@@ -94,6 +94,19 @@ TEST(Settings, ASizeBeyondAllMemoryIsRefused) {
   EXPECT_EQ(refusal(settings), "");
 }
 
+TEST(Settings, AHeightBelowWhatCoordinatesTellApartIsRefused) {
+  Settings settings = good();
+  settings.first_height = 1e-13;
+  EXPECT_NE(refusal(settings).find("first_height"), std::string::npos);
+  settings.first_height = 1e-7;
+  EXPECT_EQ(refusal(settings), "");
+  settings.walls_all = false;
+  settings.walls = {WallSpec()};
+  settings.walls[0].edges = {EdgeId(0)};
+  settings.walls[0].first_height = 1e-300;
+  EXPECT_NE(refusal(settings).find("1e-300 (Edge1)"), std::string::npos);
+}
+
 TEST(Settings, NamesOutOfRangeAreToldWithWhatTheModelHas) {
   Settings s = good();
   s.faces = {FaceId(98)};
