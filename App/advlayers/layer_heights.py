@@ -31,8 +31,11 @@ def _wall_of_root(mesh):
     count = len(mesh.nodes)
     heights, growths, walls = np.zeros(count), np.zeros(count), np.zeros(count)
     for wall in mesh.walls:
-        nodes = np.unique(mesh.edge_segments[int(wall["edge"][4:])])
-        heights[nodes] += wall["first_height"]
+        segments = np.asarray(mesh.edge_segments[int(wall["edge"][4:])])
+        nodes = np.concatenate([segments[:1, 0], segments[:, 1]])
+        asked = np.asarray(wall["first_heights"] or [wall["first_height"]] * len(nodes))
+        nodes, first = np.unique(nodes, return_index=True)  # a closed edge ends where it began
+        heights[nodes] += asked[first]
         growths[nodes] += wall["growth"]
         walls[nodes] += 1.0
     with np.errstate(divide="ignore", invalid="ignore"):

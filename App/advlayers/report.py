@@ -20,7 +20,9 @@ def make_report(input_name: str, mesh, notes: List[Dict[str, Any]],
     report: Dict[str, Any] = {"version": advlayers.__version__, "input": input_name}
     report.update((key, mesh.figures[key]) for key in FIGURES)
     report["patches"] = list(mesh.patches)
-    report["walls"] = list(mesh.walls)
+    # The heights asked for at every single node are for those who have the nodes.
+    report["walls"] = [{key: value for key, value in wall.items() if key != "first_heights"}
+                       for wall in mesh.walls]
     report["diagnostics"] = list(notes) + list(mesh.diagnostics)
     report["seconds"] = {key: round(seconds.get(key, 0.0), 6) for key in SECONDS}
     return report

@@ -97,6 +97,7 @@ py::list walls(const py::object& self) {
     entry["edge"] = edge_name(wall.edge);
     entry["face"] = face_name(wall.face);
     entry["first_height"] = wall.first_height;
+    entry["first_heights"] = wall.first_heights;
     entry["growth"] = wall.growth;
     entry["thickness"] = wall.thickness > 0.0 ? py::object(py::float_(wall.thickness)) : py::none();
     entry["achieved_first_height"] =

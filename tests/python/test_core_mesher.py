@@ -9,6 +9,7 @@ import time
 import advlayers_core as core
 import numpy as np
 import pytest
+from advlayers.layer_heights import height_errors
 from core_meshes import DATA, mesh, mesher, model
 
 FINE = {"size": 0.1, "first_height": 0.01}
@@ -172,6 +173,16 @@ def test_sizes_and_refinements_are_meshed():
     assert len(result.edge_segments[1]) == 31
     finer = np.linalg.norm(result.nodes - (5, 5, 0), axis=1) < 1.0
     assert np.count_nonzero(finer) > 150
+
+
+@pytest.mark.parametrize("wall", [{"end_height": 0.3}, {"aspect_ratio": 12.0}])
+def test_heights_that_vary_are_judged_by_what_was_asked_where(wall):
+    result = mesh("square", layers=4, walls=[{"edges": ["Edge1"], **wall}])
+    asked = result.walls[0]["first_heights"]
+    assert len(asked) == len(result.edge_segments[1]) + 1
+    errors = height_errors(result)
+    layered = np.concatenate([result.layer_of_quad, result.layer_of_triangle]) > 0
+    assert np.nanmax(np.abs(errors[layered])) < 0.02
 
 
 def test_no_walls_make_an_isotropic_mesh():

@@ -17,6 +17,8 @@ constexpr int kMinDepth = 2, kMaxDepth = 12;
 // surface crosses the edge, no cut is fine enough.
 constexpr double kNormalFloor = 0.05;
 constexpr double kUniform = 1e-9;  // relative spread of an even spacing
+// Beyond the layers that run along it an edge grows faster: it meets the long edges of their front.
+constexpr double kBlendSlope = 1.0;
 constexpr double kMaxSegments = 5e6;
 
 double angle_between(const Vec3& a, const Vec3& b) {
@@ -158,16 +160,19 @@ std::vector<EdgeSpacing::Sample> EdgeSpacing::graded(double from, double to) con
   }
   h.front().spacing = std::min(h.front().spacing, end_limit_[0]);
   h.back().spacing = std::min(h.back().spacing, end_limit_[1]);
-  const auto blend = [&h](std::size_t i, const std::vector<double>& layers) {
-    if (!layers.empty()) h[i].spacing = std::min(h[i].spacing, layers.back());
-  };
-  blend(0, layers_.segments[0]);
-  blend(h.size() - 1, layers_.segments[1]);
   for (std::size_t i = 1; i < h.size(); ++i) {
     h[i].spacing = std::min(h[i].spacing, h[i - 1].spacing + slope * (h[i].s - h[i - 1].s));
   }
   for (std::size_t i = h.size() - 1; i-- > 0;) {
     h[i].spacing = std::min(h[i].spacing, h[i + 1].spacing + slope * (h[i + 1].s - h[i].s));
+  }
+  for (Sample& sample : h) {
+    const double beyond[2] = {sample.s - from, to - sample.s};
+    for (int end = 0; end < 2; ++end) {
+      if (layers_.segments[end].empty()) continue;
+      sample.spacing =
+          std::min(sample.spacing, layers_.segments[end].back() + kBlendSlope * beyond[end]);
+    }
   }
   return h;
 }

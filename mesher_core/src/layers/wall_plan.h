@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <unordered_map>
+#include <vector>
 
 #include "base/types.h"
 #include "sizing/wall_spacing.h"
@@ -19,6 +20,7 @@ struct EdgePlan {
   HeightRule rule{};
   // Where the rule makes the first height vary: that at each node of the edge [mm].
   std::unordered_map<NodeId, double> heights{};
+  std::vector<double> heights_along{};  // the same, in the order of the edge's nodes
 
   double height_at(NodeId node) const {
     const auto found = heights.find(node);

@@ -158,6 +158,7 @@ void PatchJob::measure(const CancelFlag& cancel) {
     for (WallReport& wall : wall_reports_) {
       wall.face = face_beside(evaluator_.model(), faces_, wall.edge);
     }
+    judge_walls();
   });
 }
 
@@ -177,6 +178,24 @@ void PatchJob::count_elements(const CancelFlag& cancel) {
       inverted_.push_back(f);
     }
     ++(element.count == 4 ? report_.quads : report_.triangles);
+  }
+}
+
+// A wall that got fewer layers than its number, or none that could be measured, says why.
+void PatchJob::judge_walls() {
+  for (const WallReport& wall : wall_reports_) {
+    const bool none = wall.achieved_max <= 0.0 && !(wall.layers > 0);
+    if (!none && wall.layers >= wall.requested_layers) continue;
+    std::string text = edge_name(wall.edge) + " on " + face_name(wall.face) + " got ";
+    text += none ? "no layers" : std::to_string(wall.layers) + " complete layers";
+    if (wall.requested_layers > 0) text += " of " + std::to_string(wall.requested_layers);
+    std::string reasons;
+    for (const auto& [reason, count] : wall.stops) {
+      if (reason == stop_name(Stop::kLayersReached)) continue;
+      reasons += (reasons.empty() ? ": " : ", ") + reason + " " + std::to_string(count);
+    }
+    complain(Severity::kWarning, none ? "wall-without-layers" : "wall-short-of-layers",
+             text + reasons);
   }
 }
 

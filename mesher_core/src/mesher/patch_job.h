@@ -56,6 +56,7 @@ class PatchJob {
   void end_layers();
   void count_elements(const CancelFlag& cancel);
   void judge_inverted();
+  void judge_walls();
 
   PatchId id_;
   std::vector<FaceId> faces_;

@@ -144,6 +144,7 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
 void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallPlan& walls) {
   for (auto& [edge, plan] : walls.edges) {
     plan.heights.clear();
+    plan.heights_along.clear();
     if (plan.condition != EdgeCondition::kWall || !plan.rule.varies()) continue;
     const EdgeNodes& cut = boundary.edges[edge.index()];
     std::vector<double> lengths;  // of the mesh edges
@@ -162,7 +163,8 @@ void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallP
       place.part = walked / total;
       place.segment = 0.5 * (before + after);
       place.curvature = evaluator.edge_curvature(edge, cut.params[k]);
-      plan.heights[cut.nodes[k]] = first_height_at(spacing, place, walls.max_height);
+      plan.heights_along.push_back(first_height_at(spacing, place, walls.max_height));
+      plan.heights[cut.nodes[k]] = plan.heights_along.back();
       if (k < lengths.size()) walked += lengths[k];
     }
   }

@@ -17,8 +17,9 @@ struct WallReport {
   EdgeId edge;
   FaceId face;
   double first_height = 0.0;  // asked [mm]; the mean over the columns measured where it varies
-  double growth = 1.0;        // asked
-  int requested_layers = 0;   // 0: until the fronts close, unless `until_isotropic`
+  std::vector<double> first_heights;  // asked at each node of the edge, where it varies [mm]
+  double growth = 1.0;                // asked
+  int requested_layers = 0;           // 0: until the fronts close, unless `until_isotropic`
   bool until_isotropic = false;
   double thickness = 0.0;  // of all layers asked for [mm]; 0 where their number is not
   double achieved_min = 0.0, achieved_mean = 0.0, achieved_max = 0.0;  // first height [mm]

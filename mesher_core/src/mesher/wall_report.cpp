@@ -191,6 +191,7 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
     const EdgePlan& asked = plan.edges.at(edge);
     report.edge = edge;
     report.first_height = asked.first_height;
+    report.first_heights = asked.heights_along;
     report.growth = asked.growth;
     report.until_isotropic = plan.stop_at_isotropy && asked.layers == kUntilClosed;
     report.requested_layers = asked.layers == kUntilClosed ? 0 : asked.layers;

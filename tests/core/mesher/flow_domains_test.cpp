@@ -191,6 +191,21 @@ TEST(HighLift, LayersEndInTheGapsThatAreTooNarrow) {
   EXPECT_GT(ended, 0);  // and each says why
 }
 
+// Where the first layer is higher than the gap, no wall is left without a word.
+TEST(Gaps, NarrowerThanALayerAreNamed) {
+  const Model model = model_of(rectangle(10, 0.3));
+  Settings settings;
+  settings.size = 0.5;
+  settings.first_height = 0.25;
+  settings.end = EndOfGrowth::kLayers;
+  settings.layers = 4;
+  const MeshResult mesh = mesh_of(model, settings);
+  EXPECT_EQ(mesh.figures.inverted, 0);
+  std::size_t told = 0;
+  for (const Diagnostic& d : mesh.diagnostics) told += d.code.find("wall-") == 0;
+  EXPECT_EQ(told, mesh.walls.size());
+}
+
 // A plate with a hundred holes: rings of quads alone around each.
 TEST(Washers, EveryHoleHasItsRings) {
   BRepBuilderAPI_MakeFace face(gp_Pln(), outline_wire({{0, 0}, {200, 0}, {200, 200}, {0, 200}}));
