@@ -40,8 +40,7 @@ class Field:
         self.widget.setEnabled(on)
 
     def release(self) -> None:
-        """Lets go of the widget. FreeCAD deletes its own ones without telling Python, which would
-        take the next widget at their address for them."""
+        """Lets go of the widget."""
         self.widget = None
 
 
@@ -63,6 +62,12 @@ class QuantityField(Field):
 
     def on_edited(self, act: Callable[[], None]) -> None:
         self.widget.editingFinished.connect(act)
+
+    def release(self) -> None:
+        """FreeCAD would delete its own widget without telling Python, which would take the next
+        one at its address for it: so Python is made the owner, and deletes it."""
+        self.widget.setParent(None)
+        super().release()
 
     def bind(self, document_object) -> None:
         FreeCADGui.ExpressionBinding(self.widget).bind(document_object, property_name(self.entry))
