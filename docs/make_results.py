@@ -169,7 +169,7 @@ def pictures() -> str:
         if not os.path.exists(mesh):
             continue
         file = f"mesh-{stem(name)}.png"
-        subprocess.run([sys.executable, PICTURE, mesh, os.path.join(DOCS, "images", file), "1100"],
+        subprocess.run([sys.executable, PICTURE, mesh, os.path.join(DOCS, "images", file), "960"],
                        check=True)
         text += f"\n{caption}\n\n![{name}](images/{file})\n"
     return "\n## Pictures\n\nLayers in blue, darkest at the walls.\n" + text if text else ""

@@ -106,9 +106,9 @@ def peer(case: Case, shape, way: str) -> Dict[str, Any]:
         call = [sys.executable, PEER, path, str(case.size), way, str(case.first_height),
                 str(case.growth)]
         try:
-            done = subprocess.run(call, capture_output=True, text=True, timeout=120)
+            done = subprocess.run(call, capture_output=True, text=True, timeout=30)
         except subprocess.TimeoutExpired:
-            return {"failed": "no end within 120 s"}
+            return {"failed": "no end within 30 s"}
     lines = done.stdout.strip().splitlines()
     if done.returncode or not lines:
         return {"failed": f"ended with {done.returncode}"}
