@@ -57,7 +57,8 @@ void consider(const SurfaceMesh& mesh, HalfedgeH shared, Recut& best) {
 
 bool recut_triangle(SurfaceMesh& mesh, FaceH f) {
   const HalfedgeH first = mesh.halfedge(f);
-  if (!mesh.is_triangle(first)) return false;
+  // A triangle in which a layer ends is as flat as the layer: no cut would make more of it.
+  if (!mesh.is_triangle(first) || mesh.data(f).layer > 0) return false;
   const std::array<HalfedgeH, 3> sides{first, mesh.next(first), mesh.prev(first)};
   const std::array<VertexH, 3> corners{mesh.from(sides[0]), mesh.to(sides[0]), mesh.to(sides[1])};
   if (shape_of(mesh, corners) > kBadShape) return false;

@@ -92,6 +92,7 @@ TEST_P(FourSided, OneWallGrowsAllLayersBetweenOffEdges) {
   int layered = 0;
   for (const int layer : mesh.triangle_layer) layered += layer > 0;
   EXPECT_LE(layered, 2 * 9);
+  EXPECT_LT(mesh.figures.max_angle, 160.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FourSided,
