@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/directions.h"
+
 namespace advlayers {
 namespace {
 
@@ -10,10 +12,6 @@ constexpr int kSamples = 64;
 constexpr double kLeastTurn = M_PI / 3;
 constexpr double kMostOfTurn = 0.6;  // that lies within `least`
 constexpr int kBisections = 30;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 class FoldFinder {
  public:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/directions.h"
 #include "base/error.h"
 
 namespace advlayers {
@@ -20,10 +21,6 @@ constexpr double kUniform = 1e-9;  // relative spread of an even spacing
 // Beyond the layers that run along it an edge grows faster: it meets the long edges of their front.
 constexpr double kBlendSlope = 1.0;
 constexpr double kMaxSegments = 5e6;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/directions.h"
 #include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
 
@@ -12,6 +13,13 @@ namespace {
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kFanAngle = 247.5 * kDegree;       // from here three quads meet at the corner
 constexpr double kReversalAngle = 315.0 * kDegree;  // and from here four
+// An extrusion turns with the surface no further than elements may deviate from it (paper, II.D).
+constexpr double kMostBend = 30.0 * kDegree;
+constexpr double kMostEdgeBend = 50.0 * kDegree;  // of a front edge that spreads
+constexpr int kStraightLayers = 5;                // grow along the bisector
+constexpr double kEvenTurn = 20.0 * kDegree;
+constexpr double kEvening = 0.25;    // of the edges' difference, per layer
+constexpr double kEvenSlide = 0.15;  // of the height at most
 
 class Extruder {
  public:
@@ -22,6 +30,7 @@ class Extruder {
       draft_.state.cancel->check();
       if (draft_.advances(i) && draft_.kids_of(i).empty()) extrude(i);
     }
+    stop_bent_edges();
   }
 
   void step_ends() {
@@ -67,10 +76,52 @@ class Extruder {
     }
     const double height = draft_.height(i);
     const Vec3 along = (s.to_next - s.to_prev).normalized();
-    const Vec3 way =
-        concave_factor(s, height) * height * s.inward + draft_.opposites[index(i)].slide * along;
-    if (draft_.step_kid(i, way.normalized(), way.norm()) < 0) draft_.end(i, Stop::kBlocked);
+    const double slide = draft_.opposites[index(i)].slide + evening_slide(i);
+    const Vec3 way = concave_factor(s, height) * height * s.inward + slide * along;
+    if (!step_unbent(i, way.normalized(), way.norm())) draft_.end(i, Stop::kBlocked);
   }
+
+  // Towards the longer of the two edges, where the surface drives columns together or apart: on
+  // the bend of a pipe they would leave one side.
+  double evening_slide(int i) const {
+    if (draft_.state.layer <= kStraightLayers) return 0.0;
+    for (const int k : {draft_.front[i].prev, i, draft_.front[i].next}) {
+      if (k < 0 || !draft_.advances(k) || std::abs(draft_.shape(k).turn()) > kEvenTurn) return 0.0;
+    }
+    const NodeShape& s = draft_.shape(i);
+    const double most = kEvenSlide * draft_.height(i);
+    return std::clamp(kEvening * (s.length_next - s.length_prev), -most, most);
+  }
+
+  // A kid no farther than the surface turns by kMostBend: the layer stays below what was asked for
+  // where the surface is curved more tightly.
+  bool step_unbent(int i, const Vec3& direction, double length) {
+    const int kid = draft_.step_kid(i, direction, length);
+    if (kid < 0) return false;
+    const double bend = angle_between(normal(i), draft_.kid(kid).normal);
+    if (bend <= kMostBend) return true;
+    draft_.drop_kids_of(i);
+    draft_.heights[index(i)] *= kMostBend / bend;
+    return draft_.step_kid(i, direction, length * kMostBend / bend) >= 0;
+  }
+
+  // Columns that spread on a curved surface would leave it between them: both stop where the edge
+  // of their kids turns too far with it, and the core goes on with edges of its own size.
+  void stop_bent_edges() {
+    for (int i = 0; i < draft_.front.size(); ++i) {
+      const int k = draft_.front[i].next;
+      if (k < 0 || draft_.kids_of(i).empty() || draft_.kids_of(k).empty()) continue;
+      const Kid &p = draft_.kid(draft_.kids_of(i).back()),
+                &q = draft_.kid(draft_.kids_of(k).front());
+      const double bend = angle_between(p.normal, q.normal);
+      if (bend <= kMostEdgeBend || bend <= angle_between(normal(i), normal(k))) continue;
+      for (const int node : {i, k}) {
+        if (draft_.advances(node)) draft_.end(node, Stop::kBent);
+      }
+    }
+    draft_.drop_lone_nodes(Stop::kBent);
+  }
+  const Vec3& normal(int i) const { return draft_.mesh.data(draft_.front[i].vertex).normal; }
 
   // Several kids at a convex corner: the perpendiculars of both edges, and between each two of
   // `quads` + 1 spokes a diagonal kid at h / cos of half the sector.

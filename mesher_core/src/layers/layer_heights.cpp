@@ -1,8 +1,11 @@
 #include "layers/layer_heights.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
+#include "base/directions.h"
 #include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
 #include "layers/isotropy.h"
@@ -10,6 +13,9 @@
 
 namespace advlayers {
 namespace {
+
+constexpr double kCurved = 15.0 * M_PI / 180.0;  // that an edge turns with the surface
+constexpr double kLongestOfEdge = 1.2;
 
 class HeightSetter {
  public:
@@ -28,7 +34,7 @@ class HeightSetter {
       const FrontNode& node = draft_.front[i];
       if (!node.active || (node.prev < 0 && node.next < 0)) continue;
       draft_.plan.shapes[index(i)] = node_shape(draft_.mesh, draft_.front, i);
-      draft_.heights[index(i)] = std::min(node.height, draft_.state.max_height);
+      draft_.heights[index(i)] = std::min({node.height, draft_.state.max_height, most_height(i)});
       if (node.layers_left <= 0) draft_.end(i, Stop::kLayersReached);
     }
     if (draft_.state.stop_at_isotropy) end_isotropic();
@@ -40,6 +46,18 @@ class HeightSetter {
     for (int i = 0; i < draft_.front.size(); ++i) {
       if (draft_.advances(i) && isotropic[index(i)] != 0) draft_.end(i, Stop::kIsotropic);
     }
+  }
+
+  // Where the front's edges are short for the sake of the surface's curvature and may not grow with
+  // the layers, the layers stay as high as those edges are long.
+  double most_height(int i) const {
+    const auto normal = [&](int k) { return draft_.mesh.data(draft_.front[k].vertex).normal; };
+    double bend = 0.0;
+    for (const int k : {draft_.front[i].prev, draft_.front[i].next}) {
+      if (k >= 0) bend = std::max(bend, angle_between(normal(i), normal(k)));
+    }
+    const double most = kLongestOfEdge * draft_.shape(i).length();
+    return bend > kCurved ? most : std::numeric_limits<double>::infinity();
   }
 
   void cap_by_gaps() {

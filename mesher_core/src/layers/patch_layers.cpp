@@ -21,8 +21,8 @@ const char* step_name(Step step) {
 
 const char* stop_name(Stop stop) {
   static constexpr std::array<const char*, kStopCount> kNames{
-      "layers-reached", "isotropic", "collision",        "closed",
-      "blocked",        "merged",    "neighbour-stopped"};
+      "layers-reached", "isotropic", "collision",         "closed",
+      "blocked",        "merged",    "neighbour-stopped", "surface-bends"};
   return kNames[static_cast<std::size_t>(stop)];
 }
 

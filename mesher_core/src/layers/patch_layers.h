@@ -39,9 +39,10 @@ enum class Stop : std::uint8_t {
   kClosed,
   kBlocked,
   kMerged,
-  kNeighbour
+  kNeighbour,
+  kBent
 };
-inline constexpr int kStopCount = 7;
+inline constexpr int kStopCount = 8;
 const char* stop_name(Stop stop);
 
 // Why the front lost edges; each names the triangles it cost.

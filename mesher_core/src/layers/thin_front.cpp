@@ -151,8 +151,10 @@ class Merger {
   }
 
   void merge(int i, int k) {
-    const auto& of_k = draft_.kids_of(k);
-    if (of_k.size() == 1 && draft_.kid(of_k[0]).given) std::swap(i, k);
+    // The kid of the later node stays, so that of two merged pairs side by side the quad between
+    // them has a parent-kid edge; a vertex of the boundary stays in any case.
+    const auto& of_i = draft_.kids_of(i);
+    if (of_i.size() != 1 || !draft_.kid(of_i[0]).given) std::swap(i, k);
     auto& kids_i = draft_.kids_of(i);
     auto& kids_k = draft_.kids_of(k);
     if (kids_i.size() != 1 || kids_k.size() != 1 || draft_.kid(kids_i[0]).tread ||

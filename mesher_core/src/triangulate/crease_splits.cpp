@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/directions.h"
+
 namespace advlayers {
 namespace {
 
@@ -19,10 +21,6 @@ constexpr double kNearEnd = 0.12;    // of the edge; an end so near is taken for
 constexpr double kNearBorder = 0.8;  // of the least length
 constexpr int kBisections = 30;
 constexpr int kMostSplits = 4;  // per triangle at the outset
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 class CreaseSplitter {
  public:
