@@ -17,7 +17,7 @@ constexpr double kCoarsenLongest = 1.2;
 constexpr double kCoarsenTurn = 25.0 * kDegree;
 // An edge that turns further than this with the surface is not made by thinning: the mesh would cut
 // through what the front runs around. Only edges that have nearly vanished are merged all the same.
-const double kBentEdge = std::cos(35.0 * kDegree);
+const double kBentEdge = std::cos(30.0 * kDegree);
 constexpr double kVanishingLength = 0.25;  // in heights
 constexpr double kTreadHeight = 0.42;      // of the inner kids, in heights: evens the angles out
 
