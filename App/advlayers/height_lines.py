@@ -46,15 +46,13 @@ def layers_until(first_height: float, growth: float, height: float) -> int:
 
 
 def wall_lines(shape, settings: Mapping[str, Any]) -> Iterator[WallLines]:
-    """The lines of every wall that checked settings ask for, with their lengths filled in."""
+    """The lines of every wall that checked settings ask for, with their lengths filled in; none
+    for walls whose heights follow from the mesh (aspect_ratio, turning_angle)."""
     meshed = None if settings["faces"] == "all" else set(settings["faces"])
     for wall in _walls(shape, settings):
-        height = wall.get("first_height") or settings["first_height"]
-        growth = wall.get("growth") or settings["growth"]
-        layers = wall["layers"] if wall.get("layers") is not None else settings["layers"]
-        if layers == "isotropic":
-            layers = layers_until(height, growth, settings["size"])
-        total = wall.get("thickness") or (thickness(height, growth, layers) if layers else None)
+        spacing = _spacing(wall, settings)
+        if spacing is None:
+            continue
         for number, face in enumerate(shape.Faces, 1):
             name = f"Face{number}"
             if (meshed and name not in meshed) or (wall["faces"] and name not in wall["faces"]):
@@ -62,7 +60,31 @@ def wall_lines(shape, settings: Mapping[str, Any]) -> Iterator[WallLines]:
             for edge in face.Edges:
                 edge_name = wall["names"].get(_key(edge))
                 if edge_name and not edge.Degenerated and not edge.isSeam(face):
-                    yield _lines(edge_name, name, edge, face, height, total)
+                    yield _lines(edge_name, name, edge, face, spacing)
+
+
+@dataclass(frozen=True)
+class _Spacing:
+    start: float  # first height at the first vertex of an edge [mm]
+    end: float  # and at its last one
+    thickness: Optional[float]  # over first height; None where the number of layers is open
+
+
+def _spacing(wall: Mapping[str, Any], settings: Mapping[str, Any]) -> Optional[_Spacing]:
+    if wall.get("aspect_ratio") or wall.get("turning_angle"):
+        return None
+    growth = wall.get("growth") or settings["growth"]
+    layers = wall["layers"] if wall.get("layers") is not None else settings["layers"]
+    total = wall.get("thickness")
+    height = wall.get("first_height")
+    if height is None:
+        height = settings["first_height"]
+        if total and isinstance(layers, int) and layers > 0:
+            height = total / thickness(1.0, growth, layers)
+    if layers == "isotropic":
+        layers = layers_until(height, growth, settings["size"])
+    ratio = total / height if total else (thickness(1.0, growth, layers) if layers else None)
+    return _Spacing(height, wall.get("end_height") or height, ratio)
 
 
 def _walls(shape, settings: Mapping[str, Any]) -> List[Mapping[str, Any]]:
@@ -80,21 +102,23 @@ def _key(edge) -> int:
     return edge.hashCode()
 
 
-def _lines(edge_name: str, face_name: str, edge, face, height: float,
-           total: Optional[float]) -> WallLines:
-    feet, inward = [], []
-    lift = _LIFT * height
+def _lines(edge_name: str, face_name: str, edge, face, spacing: _Spacing) -> WallLines:
+    feet, inward, heights = [], [], []
     side = 1.0 if edge.Orientation == "Forward" else -1.0
+    first, last = edge.ParameterRange
     for parameter in _samples(edge):
         foot, tangent = edge.valueAt(parameter), edge.tangentAt(parameter)
         normal = face.normalAt(*face.Surface.parameter(foot))
         direction = normal.cross(tangent)
         if direction.Length > 0.0:
-            feet.append(tuple(foot + lift * normal))
+            share = (parameter - first) / (last - first)
+            heights.append(spacing.start + share * (spacing.end - spacing.start))
+            feet.append(tuple(foot + normal * (_LIFT * heights[-1])))
             inward.append(tuple(direction.normalize() * side))
     feet, inward = np.array(feet).reshape(-1, 3), np.array(inward).reshape(-1, 3)
-    return WallLines(edge_name, face_name, feet, feet + height * inward,
-                     None if total is None else feet + total * inward)
+    rise = np.array(heights)[:, None] * inward
+    return WallLines(edge_name, face_name, feet, feet + rise,
+                     None if spacing.thickness is None else feet + spacing.thickness * rise)
 
 
 def _samples(edge):

@@ -179,7 +179,9 @@ class ControlTable:
     def _edit(self, control) -> None:
         self.release()
         while self._place.count():
-            self._place.takeAt(0).widget().deleteLater()
+            editor = self._place.takeAt(0).widget()
+            editor.hide()
+            editor.deleteLater()
         if control is not None:
             self._editor = ControlEditor(control, self._mesh_object.Part, self._picks,
                                          self._changed, self._on_refused)

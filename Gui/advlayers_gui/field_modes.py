@@ -33,6 +33,11 @@ class FieldModes:
         """Elements shown at this moment."""
         return self._scene.element_count
 
+    @property
+    def busy(self) -> bool:
+        """Whether some of them are still to be shown."""
+        return self._scene.busy or self._redraw.isActive()
+
     def show(self, mode: str) -> None:
         """Another mode of the view: FreeCAD's own ones need nothing of this scene."""
         self._shown = mode if mode in FIELDS else ""

@@ -6,6 +6,8 @@ from typing import Any, Iterable, List
 import numpy as np
 from pivy import coin
 
+from advlayers.height_lines import WallLines
+
 _FIRST_COLOUR = (0.10, 0.45, 0.85)
 _LAST_COLOUR = (0.93, 0.50, 0.10)
 
@@ -14,6 +16,7 @@ class HeightPreview:
     """Blue: the top of the first layer; orange: that of the last one, where their number is set."""
 
     def __init__(self) -> None:
+        self.lines: List[WallLines] = []  # shown
         self.root = self._switch = coin.SoSwitch()
         self._lines = coin.SoSeparator()
         self._switch.addChild(self._lines)
@@ -26,12 +29,12 @@ class HeightPreview:
         self._switch.whichChild = coin.SO_SWITCH_ALL
 
     def clear(self) -> None:
+        self.lines = []
         self._lines.removeAllChildren()
 
-    def show(self, lines: Iterable[Any]) -> None:
-        """Takes height_lines.WallLines."""
-        lines = list(lines)
+    def show(self, lines: Iterable[WallLines]) -> None:
         self.clear()
+        self.lines = lines = list(lines)
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
         flat = coin.SoLightModel()

@@ -1,17 +1,16 @@
 """The task panel of a layer mesh: what to mesh and how, the mesh as it grows, and what came out."""
 from __future__ import annotations
 
-from typing import Callable, List, Optional
+import contextlib
+from typing import Callable, Iterator, List, Optional
 
 from pivy import coin
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from advlayers import layer_mesh, mesh_data
-from advlayers.element_mesh import ElementMesh, of_core
+from advlayers.element_mesh import ElementMesh
 from advlayers.errors import InputError
-from advlayers.layer_heights import height_errors
 from advlayers.mesh_data import MeshData, Place
-from advlayers.report import make_report
 from advlayers_gui.control_table import ControlTable
 from advlayers_gui.field_scene import MARK_COLOUR, FieldScene, growing_pieces, markers
 from advlayers_gui.mesh_task import Canvas, Outcome
@@ -45,6 +44,16 @@ class _Canvas(Canvas):
     def draw(self, picture) -> None:
         self._before_drawing()
         self._scene.grow(picture)
+
+
+@contextlib.contextmanager
+def _busy_pointer() -> Iterator[None]:
+    """FreeCAD takes seconds to copy a mesh of some 100 000 elements."""
+    QtGui.QApplication.setOverrideCursor(QtGui.QCursor(QtCore.Qt.WaitCursor))
+    try:
+        yield
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()
 
 
 class MeshPanel(TaskPanel):
@@ -91,7 +100,8 @@ class MeshPanel(TaskPanel):
             self._run.say(str(error))
             return False
         if self._outcome is not None:
-            self._outcome.store(self._object)
+            with _busy_pointer():
+                self._outcome.store(self._object)
         self.leave()
         meshed = self._object.FemMesh.NodeCount > 0
         self._object.Part.ViewObject.Visibility = not meshed
@@ -123,9 +133,10 @@ class MeshPanel(TaskPanel):
         self._results = ResultsPage(self._colour_by, self._look)
         self._tabs.addTab(self._results.widget, tr("Results"))
         self._tabs.currentChanged.connect(self._turned_to)
+        # On top: a small window must not scroll away Stop and what the mesher says.
+        layout.addWidget(self._run.widget)
         layout.addWidget(self._pick_bar.widget)
         layout.addWidget(self._tabs)
-        layout.addWidget(self._run.widget)
 
     def _settings_tab(self):
         tab = QtGui.QWidget()
@@ -197,13 +208,12 @@ class MeshPanel(TaskPanel):
     # --- meshing ------------------------------------------------------------------------------
 
     def _make_room(self) -> None:
-        self._heights.hide()
+        self.heights.hide()
         self._set_visible(False)
 
     def _done(self, outcome: Outcome) -> None:
         self._outcome = outcome
-        report = make_report(self._object.Part.Label, outcome.mesh, [], outcome.mesh.seconds)
-        self._data = MeshData(of_core(outcome.mesh), height_errors(outcome.mesh), report)
+        self._data = outcome.data
         self._results.show(self._data)
         self._tabs.setCurrentIndex(_RESULTS_TAB)
         self._show_mesh()
@@ -227,7 +237,7 @@ class MeshPanel(TaskPanel):
         """The shape, to pick from it."""
         self._scene.clear()
         self._mark.removeAllChildren()
-        self._heights.unhide()
+        self.heights.unhide()
         self._set_visible(True)
 
     def _show_mesh(self) -> None:

@@ -178,7 +178,7 @@ def stop_text(reason: str) -> str:
 
 def _early_stop(wall: Mapping[str, Any]):
     """The reason of the lowest end that is a shortfall, and its point; else nothing."""
-    places = {reason: place for reason, place in wall.get("stop_places", {}).items()
+    places = {reason: place for reason, place in wall.get("first_stops", {}).items()
               if reason not in _EXPECTED}
     if not places:
         return "", None

@@ -124,7 +124,7 @@ class LayersField(Field):
     def __init__(self, entry: Setting) -> None:
         super().__init__(entry, QtGui.QWidget())
         self.choice, self.number = QtGui.QComboBox(), QtGui.QSpinBox()
-        self.choice.addItems([tr("Until the fronts meet"),
+        self.choice.addItems([tr("Until they meet"),
                               tr("Until isotropic"),
                               tr("Number")])
         self.number.setRange(1, _MOST)

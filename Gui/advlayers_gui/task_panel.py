@@ -27,8 +27,8 @@ class TaskPanel:
     def __init__(self, document_object) -> None:
         self._object = document_object
         self._document_name, self._object_name = document_object.Document.Name, document_object.Name
-        self._heights = HeightPreview()
-        self._overlays = [Overlay(document_object.Document, self._heights.root)]
+        self.heights = HeightPreview()
+        self._overlays = [Overlay(document_object.Document, self.heights.root)]
         self._undo_count = document_object.Document.UndoCount
         self._visible_before: List[Tuple[str, bool]] = []
         self._recording = Recording(document_object)
@@ -73,6 +73,7 @@ class TaskPanel:
             self._left = True
             for overlay in self._overlays:
                 overlay.remove()
+            self.heights.clear()
             self._clean_up()
             self._restore_visibility()
 
@@ -93,7 +94,7 @@ class TaskPanel:
 
     def _preview_heights(self, mesh_object) -> str:
         """Draws the heights as they are asked for; returns what is wrong with the settings."""
-        self._heights.clear()
+        self.heights.clear()
         if mesh_object is None or mesh_object.Part is None:
             return ""
         try:
@@ -102,5 +103,5 @@ class TaskPanel:
             return str(error)
         shape = cad_input.global_shape(mesh_object.Part)
         if len(shape.Edges) <= _MOST_EDGES:
-            self._heights.show(wall_lines(shape, settings))
+            self.heights.show(wall_lines(shape, settings))
         return ""

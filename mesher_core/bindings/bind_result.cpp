@@ -90,6 +90,17 @@ py::dict range(double least, double mean, double most) {
   return entry;
 }
 
+py::dict first_stops(const WallReport& wall) {
+  py::dict by_reason;
+  for (const auto& [reason, place] : wall.first_stops) {
+    py::dict entry;
+    entry["point"] = py::make_tuple(place.point.x(), place.point.y(), place.point.z());
+    entry["layer"] = place.layer;
+    by_reason[py::str(reason)] = entry;
+  }
+  return by_reason;
+}
+
 py::list walls(const py::object& self) {
   py::list list;
   for (const WallReport& wall : mesh_of(self).walls) {
@@ -110,6 +121,7 @@ py::list walls(const py::object& self) {
                                                      : py::object(py::int_(wall.requested_layers));
     entry["layers"] = wall.layers;
     entry["stops"] = wall.stops;
+    entry["first_stops"] = first_stops(wall);
     list.append(entry);
   }
   return list;

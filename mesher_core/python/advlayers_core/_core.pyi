@@ -155,7 +155,8 @@ class Mesh:
     @property
     def walls(self) -> List[Dict[str, Any]]:
         """Per wall edge and face: edge, face, first_height, growth, achieved_first_height
-        {min, mean, max}, achieved_growth, layers, stops; empty in a snapshot"""
+        {min, mean, max}, achieved_growth, layers, stops, first_stops
+        {reason: {point, layer}}; empty in a snapshot"""
     @property
     def diagnostics(self) -> List[Dict[str, Any]]:
         """Each: severity ("info", "warning", "error"), code, patch (or None), layer, point, text"""

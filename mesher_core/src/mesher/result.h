@@ -12,6 +12,12 @@
 
 namespace advlayers {
 
+// The top of a column, and the layer that was not made there.
+struct StopPlace {
+  Vec3 point = Vec3::Zero();
+  int layer = 0;
+};
+
 // What was asked of one wall edge on one face, and what the final mesh measures there.
 struct WallReport {
   EdgeId edge;
@@ -26,8 +32,9 @@ struct WallReport {
   double height_error = 0.0;     // the largest |achieved / asked - 1| of a first height
   double achieved_growth = 0.0;  // mean over columns; 0 where no column has two layers
   double thickness_min = 0.0, thickness_mean = 0.0, thickness_max = 0.0;  // achieved [mm]
-  int layers = 0;                    // complete layers along the whole edge
-  std::map<std::string, int> stops;  // reason -> wall vertices
+  int layers = 0;                                // complete layers along the whole edge
+  std::map<std::string, int> stops;              // reason -> wall vertices
+  std::map<std::string, StopPlace> first_stops;  // reason -> where a column ended so at the fewest
 };
 
 struct PatchReport {

@@ -129,14 +129,29 @@ class Stops {
 // Where fronts or columns met there was no room for another layer; elsewhere one is missing.
 bool ran_out_of_room(Stop reason) { return reason == Stop::kClosed || reason == Stop::kMerged; }
 
-void count_layers(const Stops& stops, const std::vector<VertexH>& roots, int layers_made,
-                  WallReport& report) {
+// The column's last vertex, as far as it has one kid after the other.
+Vec3 top_of(const SurfaceMesh& mesh, const Columns& columns, VertexH root) {
+  VertexH top = root;
+  for (VertexH kid = columns.only_kid(root); kid.valid(); kid = columns.only_kid(top)) top = kid;
+  return mesh.position(top);
+}
+
+void keep_first(const SurfaceMesh& mesh, const Columns& columns, const StopRecord& record,
+                WallReport& report) {
+  const auto [place, fresh] = report.first_stops.try_emplace(stop_name(record.reason));
+  if (!fresh && place->second.layer <= record.layer) return;
+  place->second = {top_of(mesh, columns, record.root), record.layer};
+}
+
+void count_layers(const SurfaceMesh& mesh, const Columns& columns, const Stops& stops,
+                  const std::vector<VertexH>& roots, int layers_made, WallReport& report) {
   int shortest = layers_made, longest = 0;
   bool all_closed = true;
   for (const VertexH root : roots) {
     bool stopped = false;
     stops.visit(root, [&](const StopRecord& record) {
       ++report.stops[stop_name(record.reason)];
+      keep_first(mesh, columns, record, report);
       stopped = true;
       longest = std::max(longest, record.layer - 1);
       if (ran_out_of_room(record.reason)) return;
@@ -199,7 +214,7 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
     if (report.requested_layers > 0) {
       report.thickness = thickness_of(report.first_height, asked.growth, asked.layers);
     }
-    count_layers(stops_by_root, wall.roots, layers_made, report);
+    count_layers(mesh, columns, stops_by_root, wall.roots, layers_made, report);
     reports.push_back(std::move(report));
   }
   return reports;

@@ -1,0 +1,156 @@
+"""What came out: display modes, the page of results, and the way to a place of the mesh."""
+import time
+
+import advlayers
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import Part
+import pytest
+from PySide import QtCore, QtGui
+
+from advlayers import mesh_data
+from advlayers.mesh_data import FIELDS, HEIGHT, LAYERS, QUALITY
+from window import (
+    child, edit, events, mesh_until_done, panel_of, press_cancel, press_ok, screenshot, wait_for)
+
+
+@pytest.fixture
+def mesh(box):
+    made = advlayers.make_layer_mesh(box, size=2.0, first_height=0.2, growth=1.3)
+    box.ViewObject.Visibility = False
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    events()
+    return made
+
+
+def modes_of(mesh):
+    return mesh.ViewObject.Proxy.modes
+
+
+def test_every_field_is_a_display_mode(mesh):
+    shown = set(mesh.ViewObject.listDisplayModes())
+    assert set(FIELDS) <= shown and "Faces & Wireframe" in shown
+    for field in FIELDS:
+        mesh.ViewObject.DisplayMode = field
+        wait_for(lambda: not modes_of(mesh).busy)
+        assert modes_of(mesh).element_count == mesh.FemMesh.FaceCount
+        events(0.1)
+        screenshot(f"mode-{field.lower().replace(' ', '-')}.png")
+
+
+def test_a_display_mode_follows_the_mesh_and_survives_saving(mesh, tmp_path):
+    mesh.ViewObject.DisplayMode = QUALITY
+    events()
+    mesh.Size = 4.0
+    advlayers.update(mesh)
+    wait_for(lambda: modes_of(mesh).element_count == mesh.FemMesh.FaceCount)
+    path = str(tmp_path / "modes.FCStd")
+    mesh.Document.saveCopy(path)
+    opened = FreeCAD.openDocument(path)
+    try:
+        restored = opened.getObject(mesh.Name)
+        assert restored.ViewObject.DisplayMode == QUALITY
+        wait_for(lambda: modes_of(restored).element_count == restored.FemMesh.FaceCount)
+    finally:
+        FreeCAD.closeDocument(opened.Name)
+
+
+def test_fields_say_what_the_mesh_is(mesh):
+    data = mesh_data.of_object(mesh)
+    assert data.mesh.count == mesh.QuadCount + mesh.TriangleCount
+    assert np.isnan(data.field(LAYERS)).sum() == (data.mesh.layers == 0).sum()
+    quality = data.field(QUALITY)
+    assert 0.0 <= quality.min() and quality.max() <= 1.0
+    assert data.worst() == quality.argmin()
+    first = data.mesh.layers == 1
+    assert np.nanmedian(np.abs(data.field(HEIGHT)[first])) < 2.0
+    assert set(data.mesh.faces) == set(range(1, 7))
+    assert len(data.mesh.edge_nodes) == 12
+
+
+def test_the_page_of_results(mesh):
+    edit(mesh)
+    child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(2)
+    panel = panel_of(mesh)
+    wait_for(lambda: not panel.scene.busy)
+    assert panel.scene.element_count == mesh.FemMesh.FaceCount
+    text = child(QtGui.QLabel, "AdvLayersFigures").text()
+    assert str(mesh.QuadCount) in text and str(mesh.NodeCount) in text
+    histogram = child(QtGui.QWidget, "AdvLayersHistogram")
+    assert histogram.counts.sum() == mesh.FemMesh.FaceCount
+    walls = child(QtGui.QTableWidget, "AdvLayersWalls")
+    assert walls.rowCount() == 24
+    assert walls.item(0, 2).text().startswith("0.20 mm")
+    for k, field in enumerate(FIELDS):
+        child(QtGui.QComboBox, "AdvLayersField").setCurrentIndex(k)
+        wait_for(lambda: not panel.scene.busy)
+        assert panel.scene.element_count == mesh.FemMesh.FaceCount, field
+    press_cancel()
+
+
+def test_a_click_leads_to_the_place(mesh):
+    edit(mesh)
+    child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(2)
+    events()
+    view = FreeCADGui.getDocument(mesh.Document.Name).ActiveView
+    data = mesh_data.of_object(mesh)
+    walls = child(QtGui.QTableWidget, "AdvLayersWalls")
+    for row in (0, 7):
+        edge, face = (int(walls.item(row, column).text()[4:]) for column in (0, 1))
+        walls.cellClicked.emit(row, 0)
+        events()
+        reason = child(QtGui.QLabel, "AdvLayersReason").text()
+        assert f"Edge{edge} on Face{face}" in reason
+        focus = Part.Vertex(*_focus(view))
+        assert mesh.Part.Shape.Faces[face - 1].distToShape(focus)[0] < 1e-3
+    histogram = child(QtGui.QWidget, "AdvLayersHistogram")
+    bar = int(np.nonzero(histogram.counts)[0][0])
+    where = QtCore.QPoint(int((bar + 0.5) * histogram.width() / len(histogram.counts)), 10)
+    histogram.mousePressEvent(QtGui.QMouseEvent(
+        QtCore.QEvent.MouseButtonPress, where, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton,
+        QtCore.Qt.NoModifier))
+    worst = data.worst()
+    assert f"element {worst + 1}" in child(QtGui.QLabel, "AdvLayersReason").text()
+    assert np.linalg.norm(_focus(view) - data.place_of(worst).point) < 1e-3
+    screenshot("worst.png")
+    press_cancel()
+
+
+def _focus(view):
+    """The point that the camera looks at."""
+    camera = view.getCameraNode()
+    ahead = camera.orientation.getValue().multVec(type(camera.position.getValue())(0, 0, -1))
+    return np.array((camera.position.getValue() + ahead * camera.focalDistance.getValue())
+                    .getValue())
+
+
+def test_200000_elements_show_without_a_freeze(document):
+    """From Mesh to the coloured result, and through its colours, no turn of the event loop takes
+    half a second. The assignment to FreeCAD's own mesh property, with OK, is not among them."""
+    plate = document.addObject("Part::Plane", "Plate")
+    plate.Length, plate.Width = 100, 100
+    document.recompute()
+    made = advlayers.make_layer_mesh(
+        plate, mesh_now=False, size=5, first_height=0.02, growth=1.05, layers=42,
+        sizes=[{"edges": [f"Edge{k}" for k in (1, 2, 3, 4)], "segments": 1500}])
+    edit(made)
+    longest = mesh_until_done(made, 120.0)
+    panel = panel_of(made)
+    assert panel.scene.element_count > 200_000
+    child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(2)
+    for k in range(len(FIELDS)):
+        start = time.thread_time()
+        child(QtGui.QComboBox, "AdvLayersField").setCurrentIndex(k)
+        longest = max(longest, time.thread_time() - start,
+                      wait_for(lambda: not panel.scene.busy))
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    events(0.2)
+    screenshot("large.png")
+    print(f"longest turn of the event loop: {longest:.2f} s "
+          f"with {panel.scene.element_count} elements")
+    assert longest < 0.5
+    start = time.thread_time()
+    press_ok()
+    print(f"OK: {time.thread_time() - start:.2f} s")
+    assert made.FemMesh.FaceCount > 200_000
