@@ -132,7 +132,7 @@ def test_200000_elements_show_without_a_freeze(document):
     plate.Length, plate.Width = 100, 100
     document.recompute()
     made = advlayers.make_layer_mesh(
-        plate, mesh_now=False, size=5, first_height=0.02, growth=1.05, layers=42,
+        plate, mesh_now=False, size=5, first_height=0.02, growth=1.05, layers=48,
         sizes=[{"edges": [f"Edge{k}" for k in (1, 2, 3, 4)], "segments": 1500}])
     edit(made)
     longest = mesh_until_done(made, 120.0)
