@@ -1,6 +1,8 @@
 #include "mesher/patch_job.h"
 
+#include <cmath>
 #include <new>
+#include <sstream>
 #include <utility>
 
 #include "mesher/triangle_cause.h"
@@ -20,6 +22,19 @@ void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
   for (std::size_t k = 0; k < kCount; ++k) {
     if (counts[k] > 0) total[name(static_cast<Kind>(k))] += counts[k];
   }
+}
+
+// A first height this far from the one asked for, relative to it, is worth a warning.
+constexpr double kHeightMissed = 0.1;
+
+// ": collision 3, merged 2": why columns ended, but for those that are complete.
+std::string reasons_of(const WallReport& wall) {
+  std::string text;
+  for (const auto& [reason, count] : wall.stops) {
+    if (reason == stop_name(Stop::kLayersReached)) continue;
+    text += (text.empty() ? ": " : ", ") + reason + " " + std::to_string(count);
+  }
+  return text;
 }
 
 }  // namespace
@@ -181,21 +196,24 @@ void PatchJob::count_elements(const CancelFlag& cancel) {
   }
 }
 
-// A wall that got fewer layers than its number, or none that could be measured, says why.
+// A wall that got fewer layers than its number, none that could be measured, or layers of another
+// height, says so.
 void PatchJob::judge_walls() {
   for (const WallReport& wall : wall_reports_) {
+    const std::string name = edge_name(wall.edge) + " on " + face_name(wall.face) + " got ";
     const bool none = wall.achieved_max <= 0.0 && !(wall.layers > 0);
-    if (!none && wall.layers >= wall.requested_layers) continue;
-    std::string text = edge_name(wall.edge) + " on " + face_name(wall.face) + " got ";
-    text += none ? "no layers" : std::to_string(wall.layers) + " complete layers";
-    if (wall.requested_layers > 0) text += " of " + std::to_string(wall.requested_layers);
-    std::string reasons;
-    for (const auto& [reason, count] : wall.stops) {
-      if (reason == stop_name(Stop::kLayersReached)) continue;
-      reasons += (reasons.empty() ? ": " : ", ") + reason + " " + std::to_string(count);
+    if (none || wall.layers < wall.requested_layers) {
+      std::string text = none ? "no layers" : std::to_string(wall.layers) + " complete layers";
+      if (wall.requested_layers > 0) text += " of " + std::to_string(wall.requested_layers);
+      complain(Severity::kWarning, none ? "wall-without-layers" : "wall-short-of-layers",
+               name + text + reasons_of(wall));
     }
-    complain(Severity::kWarning, none ? "wall-without-layers" : "wall-short-of-layers",
-             text + reasons);
+    if (wall.height_error <= kHeightMissed) continue;
+    std::ostringstream text;
+    text << name << "first heights from " << wall.achieved_min << " to " << wall.achieved_max
+         << " mm, off those asked for (" << wall.first_height << " mm on average) by up to "
+         << std::lround(100.0 * wall.height_error) << " %";
+    complain(Severity::kWarning, "wall-height-missed", text.str());
   }
 }
 

@@ -206,6 +206,17 @@ TEST(Gaps, NarrowerThanALayerAreNamed) {
   EXPECT_EQ(told, mesh.walls.size());
 }
 
+TEST(Gaps, HeightsThatDoNotFitTheSizeAreNamed) {
+  const Model model = model_of(rectangle(10, 10));
+  Settings settings;
+  settings.size = 1.0;
+  settings.first_height = 3.0;
+  const MeshResult mesh = mesh_of(model, settings);
+  EXPECT_EQ(std::count_if(mesh.diagnostics.begin(), mesh.diagnostics.end(),
+                          [](const Diagnostic& d) { return d.code == "wall-height-missed"; }),
+            4);
+}
+
 // A plate with a hundred holes: rings of quads alone around each.
 TEST(Washers, EveryHoleHasItsRings) {
   BRepBuilderAPI_MakeFace face(gp_Pln(), outline_wire({{0, 0}, {200, 0}, {200, 200}, {0, 200}}));
