@@ -23,7 +23,7 @@ class ReferenceList:
         self._list = QtGui.QListWidget()
         self._list.setObjectName(f"AdvLayers_{name}_list")
         self._list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
-        self._list.setMaximumHeight(4 * self._list.fontMetrics().height() + 16)
+        self._list.setFixedHeight(4 * self._list.fontMetrics().height() + 16)
         self._list.itemClicked.connect(lambda _item: self._highlight())
         add = QtGui.QPushButton(tr("Add"))
         add.setObjectName(f"AdvLayers_{name}_add")

@@ -95,7 +95,7 @@ def test_layers_are_drawn_as_they_grow(opened):
             if panel.scene.layer_element_count > (shown[-1] if shown else 0):
                 shown.append(panel.scene.layer_element_count)
                 if len(shown) == 3:
-                    screenshot("growing.png")
+                    screenshot("growing.png", settle=0.0)
         texts.add(status())
         return not panel.meshing
 

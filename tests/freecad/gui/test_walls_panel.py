@@ -95,19 +95,19 @@ def test_conditions_in_the_table(mesh, box):
     table().selectRow(0)
     events()
     child(QtGui.QCheckBox, "Wall_first_height_given").setChecked(True)
-    child(QtGui.QWidget, "Wall_first_height").setProperty("rawValue", 0.1)
+    child(QtGui.QWidget, "Wall_first_height").setProperty("rawValue", 0.3)
     child(QtGui.QCheckBox, "Wall_layers_given").setChecked(True)
-    child(QtGui.QSpinBox, "Wall_layers").setValue(2)
-    assert "layers 2" in table().item(0, 3).text()
+    child(QtGui.QSpinBox, "Wall_layers").setValue(4)
+    assert "layers 4" in table().item(0, 3).text()
     table().itemClicked.emit(table().item(0, 2))
     assert selected_names() == ["Edge1", "Edge2"]
     screenshot("walls.png")
     mesh_until_done(mesh)
     screenshot("walls-meshed.png")
     press_ok()
-    assert mesh.WallList[0].FirstHeight.Value == pytest.approx(0.1)
+    assert mesh.WallList[0].FirstHeight.Value == pytest.approx(0.3)
     groups = [mesh.FemMesh.getGroupName(number) for number in mesh.FemMesh.Groups]
-    assert "inlet" in groups and "Layer2" in groups and "Layer3" not in groups
+    assert "inlet" in groups and "Layer4" in groups and "Layer5" not in groups
 
 
 def test_a_removed_row_removes_the_wall(mesh, box):

@@ -64,7 +64,8 @@ def watch_the_run(panel):
         count = panel.scene.layer_element_count
         if panel.meshing and not panel.scene.busy and count > shown[-1]:
             shown.append(count)
-            screenshot(f"wing-growing-{min(len(shown) - 1, 4)}.png")
+            if len(shown) < 6:
+                screenshot("wing-growing.png", settle=0.0)
         return not panel.meshing and not panel.scene.busy
 
     wait_for(look)

@@ -31,8 +31,13 @@ def wait_for(condition, seconds=60.0):
     return longest
 
 
-def screenshot(name):
-    """Of the whole screen: a widget's own grab leaves the 3D view blank in some versions."""
+def screenshot(name, settle=0.2):
+    """Of the whole screen: a widget's own grab leaves the 3D view blank in some versions. Without
+    the report view, which comes up with the first error and takes room from the 3D view."""
+    report = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Report view")
+    if report is not None and report.isVisible():
+        report.hide()
+    events(settle)
     os.makedirs(PICTURES, exist_ok=True)
     path = os.path.join(PICTURES, name)
     assert QtGui.QApplication.primaryScreen().grabWindow(0).save(path)
