@@ -17,9 +17,9 @@ constexpr double kCoarsenLongest = 1.2;
 constexpr double kCoarsenTurn = 25.0 * kDegree;
 // An edge that turns further than this with the surface is not made by thinning: the mesh would cut
 // through what the front runs around. Only edges that have nearly vanished are merged all the same.
-const double kBentEdge = std::cos(30.0 * kDegree);
-constexpr double kVanishingLength = 0.25;  // in heights
-constexpr double kTreadHeight = 0.42;      // of the inner kids, in heights: evens the angles out
+constexpr double kBentEdge = 0.8660254037844387;  // cosine of 30 degrees
+constexpr double kVanishingLength = 0.25;         // in heights
+constexpr double kTreadHeight = 0.42;  // of the inner kids, in heights: evens the angles out
 
 class Coarsener {
  public:
