@@ -6,9 +6,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from advlayers.controls import children, is_control
+from advlayers.controls import children, is_control, mesh_of
+from advlayers.errors import InputError
 from advlayers.layer_mesh import LOST_REFERENCES, OUT_OF_DATE
 from advlayers.proxy import Stateless
+from advlayers_gui.command import show_error
 from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView
 
@@ -19,13 +21,18 @@ class EditedInPanel:
     panel: Any = None  # while it is open
 
     def make_panel(self, document_object):
+        """Raises InputError where there is nothing to edit."""
         raise NotImplementedError
 
     def setEdit(self, view_object, mode=0) -> bool:
         if mode != 0 or FreeCADGui.Control.activeDialog():
             return False
         document = view_object.Object.Document
-        self.panel = self.make_panel(view_object.Object)
+        try:
+            self.panel = self.make_panel(view_object.Object)
+        except InputError as error:
+            show_error(str(error))
+            return False
         if not document.HasPendingTransaction:
             document.openTransaction(self.panel.TITLE)
         FreeCADGui.Control.showDialog(self.panel)
@@ -73,6 +80,9 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
     def make_panel(self, document_object):
         from advlayers_gui.mesh_panel import MeshPanel
 
+        if document_object.Part is None:
+            raise InputError("Part", f"of {document_object.Label} is empty: there is nothing to "
+                                     "mesh")
         return MeshPanel(document_object)
 
 
@@ -93,6 +103,9 @@ class ControlView(Stateless, EditedInPanel):
     def make_panel(self, document_object):
         from advlayers_gui.control_panel import ControlPanel
 
+        mesh_object = mesh_of(document_object)
+        if mesh_object is None or mesh_object.Part is None:
+            raise InputError("", f"{document_object.Label} belongs to no layer mesh of a shape")
         return ControlPanel(document_object)
 
 

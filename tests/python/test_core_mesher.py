@@ -141,6 +141,19 @@ def test_walls_may_be_chosen():
     assert set(layered) == {1}
 
 
+def test_walls_tell_where_their_columns_ended_first():
+    result = mesh("bracket", size=5.0, first_height=0.5, growth=1.3)
+    low, high = result.nodes.min(axis=0), result.nodes.max(axis=0)
+    assert any(wall["stops"] for wall in result.walls)
+    for wall in result.walls:
+        assert set(wall["first_stops"]) == set(wall["stops"])
+        for place in wall["first_stops"].values():
+            assert place["layer"] >= 1
+            point = np.array(place["point"])
+            assert ((low - 1e-9 <= point) & (point <= high + 1e-9)).all()
+            assert np.linalg.norm(result.nodes - point, axis=1).min() < 1e-9
+
+
 @pytest.mark.parametrize("wall, words", [
     ({"first_height": 0.1, "aspect_ratio": 20.0}, "exclude each other"),
     ({"first_height": 0.1, "growth": 1.2, "layers": 3, "thickness": 1.0}, "one too many"),

@@ -10,8 +10,8 @@ from PySide import QtGui
 from advlayers import layer_mesh
 from advlayers.settings_table import MESH_SETTINGS
 from window import (
-    child, click, edit, events, mesh_until_done, panel_of, press, press_cancel, press_ok, run,
-    screenshot, select, status, wait_for)
+    answer_message, child, click, edit, events, mesh_until_done, panel_of, press, press_cancel,
+    press_ok, run, screenshot, select, status, wait_for)
 
 FINE = {"size": 0.12, "first_height": 0.02, "layers": 3}  # some 10 s
 
@@ -270,6 +270,19 @@ def test_every_error_shows_in_the_panel(opened, box, monkeypatch):
     assert FreeCADGui.Control.activeDialog()
     press(QtGui.QDialogButtonBox.Cancel)
     assert [entry.Name for entry in box.Document.Objects] == ["Box"]
+
+
+def test_nothing_to_edit_says_so(box):
+    made = advlayers.make_layer_mesh(box, mesh_now=False)
+    wall = advlayers.make_wall(made, ["Edge1"])
+    made.Part = None
+    for thing, words in ((made, "nothing to mesh"), (wall, "no layer mesh")):
+        seen = []
+        answer_message(seen)
+        thing.ViewObject.Proxy.doubleClicked(thing.ViewObject)
+        events()
+        assert len(seen) == 1 and words in seen[0]
+        assert not FreeCADGui.Control.activeDialog()
 
 
 def test_one_panel_at_a_time(opened, box):
