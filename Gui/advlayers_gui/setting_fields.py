@@ -49,6 +49,7 @@ class QuantityField(Field):
 
     def __init__(self, entry: Setting) -> None:
         super().__init__(entry, _quantity_box())
+        self.widget.destroyed.connect(self._forget)  # the dialog was closed by someone else
         self.widget.setProperty("unit", entry.unit)
         self.widget.setProperty("minimum", entry.low if entry.low is not None else -_HIGHEST)
         self.widget.setProperty("maximum", entry.high if entry.high is not None else _HIGHEST)
@@ -63,10 +64,14 @@ class QuantityField(Field):
     def on_edited(self, act: Callable[[], None]) -> None:
         self.widget.editingFinished.connect(act)
 
+    def _forget(self) -> None:
+        self.widget = None
+
     def release(self) -> None:
         """FreeCAD would delete its own widget without telling Python, which would take the next
         one at its address for it: so Python is made the owner, and deletes it."""
-        self.widget.setParent(None)
+        if self.widget is not None:
+            self.widget.setParent(None)
         super().release()
 
     def bind(self, document_object) -> None:
