@@ -503,8 +503,8 @@
         <translation>Bis isotrop</translation>
     </message>
     <message>
-        <source>Until the fronts meet</source>
-        <translation>Bis die Fronten sich treffen</translation>
+        <source>Until they meet</source>
+        <translation>Bis zum Treffen</translation>
     </message>
     <message>
         <source>Values</source>

@@ -503,8 +503,8 @@
         <translation>Jusqu'à l'isotropie</translation>
     </message>
     <message>
-        <source>Until the fronts meet</source>
-        <translation>Jusqu'à la rencontre des fronts</translation>
+        <source>Until they meet</source>
+        <translation>Jusqu'à la rencontre</translation>
     </message>
     <message>
         <source>Values</source>
