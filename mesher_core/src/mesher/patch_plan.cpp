@@ -102,6 +102,7 @@ std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings&
   std::map<FaceId, std::vector<FaceId>> patches;
   for (const FaceId face : faces) patches[leader_of(face)].push_back(face);
   std::vector<std::vector<FaceId>> groups;
+  groups.reserve(patches.size());
   for (auto& [first, group] : patches) groups.push_back(std::move(group));
   return groups;
 }
