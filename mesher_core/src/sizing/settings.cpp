@@ -78,6 +78,10 @@ void check_wall(const WallSpec& wall, const Model& model) {
   if (wall.edges.empty()) throw InvalidInput("walls: an entry lists no edge");
   for (const EdgeId e : wall.edges) {
     check_edge(e, model, "walls");
+    if (wall.end_height && model.edge(e).start == model.edge(e).end) {
+      throw InvalidInput("walls: end_height needs an edge with two ends, " + edge_name(e) +
+                         " is closed");
+    }
     if (!model.edge(e).degenerate) continue;
     throw InvalidInput("walls: " + edge_name(e) + " is a pole without length, nothing grows there");
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 
 #include <cmath>
@@ -160,6 +161,19 @@ TEST(Settings, APoleIsNoWall) {
     Settings s = good();
     s.walls = {{{EdgeId(e)}, {}, {}, {}, {}}};
     EXPECT_EQ(refusal(s, ball).empty(), !ball.edges()[e].degenerate);
+  }
+}
+
+TEST(Settings, HeightsThatChangeNeedAnEdgeWithTwoEnds) {
+  const Model cylinder = test::model_of(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  for (std::size_t e = 0; e < cylinder.edges().size(); ++e) {
+    Settings settings = good();
+    settings.walls_all = false;
+    settings.walls.resize(1);
+    settings.walls[0].edges = {EdgeId(e)};
+    settings.walls[0].end_height = 0.2;
+    const bool closed = cylinder.edges()[e].start == cylinder.edges()[e].end;
+    EXPECT_EQ(refusal(settings, cylinder).find("two ends") != std::string::npos, closed);
   }
 }
 
