@@ -159,8 +159,8 @@ WALL_SETTINGS = (
             low=0.0, low_open=True),
     Setting(
         "end_height", "number", None,
-        "The first height at the end of each edge; it changes linearly along the edge, which must "
-        "have two ends, from first_height at its first vertex.",
+        "The first height at the end of each edge; it changes linearly along the edge, from "
+        "first_height at its first vertex.",
         unit="mm", low=0.0, low_open=True,
     ),
     Setting(
