@@ -50,7 +50,8 @@ def page():
         "## Mesh", "", _table(table.MESH_SETTINGS, properties=True), "",
         "## One wall of a list of walls", "", _table(table.WALL_SETTINGS, properties=False), "",
         "With a list of walls, other boundary edges that touch a wall are match edges, the "
-        "rest are off; `match` and `off` override that. `end_height` is for edges with two ends.", "",
+        "rest are off; `match` and `off` override that. `end_height` is for edges with two "
+        "ends.", "",
         "## One size of a list of sizes", "", _table(table.SIZE_SETTINGS, properties=False), "",
         "An edge takes its own size, or else the least of the faces beside it. Curved places stay "
         "as fine as curvature_angle asks. A fixed number of segments and clustering hold whatever "
