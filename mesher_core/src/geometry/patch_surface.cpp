@@ -77,6 +77,30 @@ double PatchSurface::nearest(const Crossing& crossing, const Vec3& xyz, double& 
   return (evaluator_->edge_point(id, t) - xyz).norm();
 }
 
+std::vector<EdgeId> PatchSurface::inner_edges() const {
+  std::vector<EdgeId> edges;
+  for (const Crossing& crossing : crossings_) edges.push_back(crossing.coedge.edge);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+bool PatchSurface::nearest_between(FaceId a, FaceId b, const Vec3& xyz, InnerPoint& found) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Crossing& crossing : crossings_) {
+    if (crossing.from != a || crossing.onto != b) continue;
+    double t = 0.0;
+    const double distance = nearest(crossing, xyz, t);
+    if (distance >= best) continue;
+    best = distance;
+    found.edge = crossing.coedge.edge;
+    found.at_end = t <= crossing.params.front() || t >= crossing.params.back();
+    const Vec2 uv = evaluator_->edge_uv(b, crossing.coedge, t);
+    found.point = {b, uv.x(), uv.y(), evaluator_->edge_point(found.edge, t)};
+  }
+  return best < std::numeric_limits<double>::infinity();
+}
+
 // The foot on the neighbour, sought from the edge.
 bool PatchSurface::cross(const Crossing& crossing, const Vec3& xyz, double t, SurfacePoint& foot) {
   const Vec2 uv = evaluator_->edge_uv(crossing.onto, crossing.coedge, t);
@@ -108,6 +132,25 @@ bool PatchSurface::project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoi
   }
   if (!best.face.valid()) return found;
   foot = best;
+  return true;
+}
+
+bool PatchSurface::settle(SurfacePoint& point) {
+  if (crossings_.empty() || evaluator_->inside(point.face, point.u, point.v)) return true;
+  SurfacePoint best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Crossing& crossing : crossings_) {
+    double t = 0.0;
+    SurfacePoint other;
+    if (nearest(crossing, point.xyz, t) >= 2.0 * least) continue;
+    if (!cross(crossing, point.xyz, t, other)) continue;
+    const double distance = (other.xyz - point.xyz).norm();
+    if (distance >= least || !evaluator_->inside(other.face, other.u, other.v)) continue;
+    least = distance;
+    best = other;
+  }
+  if (!best.face.valid()) return false;
+  point = best;
   return true;
 }
 

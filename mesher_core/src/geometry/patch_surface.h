@@ -16,10 +16,27 @@ class PatchSurface {
   PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces, double feature_angle = 20.0);
 
   const std::vector<FaceId>& faces() const { return faces_; }
+  const Model& model() const { return evaluator_->model(); }
+  bool has_inner_edges() const { return !crossings_.empty(); }
+  // The edges between two faces of the patch over which it continues, each once, sorted.
+  std::vector<EdgeId> inner_edges() const;
+
+  // The point nearest to `xyz` on the edges over which face `a` continues as `b`.
+  struct InnerPoint {
+    EdgeId edge;
+    SurfacePoint point;   // of `b`
+    bool at_end = false;  // of the edge
+  };
+  // Returns false where there is no such edge.
+  bool nearest_between(FaceId a, FaceId b, const Vec3& xyz, InnerPoint& found);
   Vec3 normal(const SurfacePoint& p) { return evaluator_->normal(p); }
 
   // The foot of `xyz`, from a seed. Returns false where no foot is found near the seed.
   bool project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoint& foot);
+
+  // Brings a point that lies beyond its face's boundary, on that face's own surface, to the nearest
+  // face of the patch that holds it. Returns false, and leaves it, where none is found.
+  bool settle(SurfacePoint& point);
 
   // Walks `length` [mm] along the surface from `from`, starting in `direction` (any vector with a
   // part in the tangent plane; need not be a unit vector), as straight as the surface allows.

@@ -127,6 +127,9 @@ void SurfaceMesh::build(const std::vector<std::vector<VertexH>>& faces) {
     face_halfedge_[f.index()] = first;
   }
   link_border();
+  for (std::size_t i = 0; i < vertex_out_.size(); ++i) {
+    if (vertex_alive_[i] && !vertex_out_[i].valid()) remove_vertex(VertexH(i));
+  }
 }
 
 void SurfaceMesh::link_border() {

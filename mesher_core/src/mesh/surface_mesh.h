@@ -20,7 +20,8 @@ class SurfaceMesh {
  public:
   // --- building ---
   VertexH add_vertex(const VertexData& data);
-  // Makes all faces at once from vertex lists (3 or 4 indices, counter-clockwise).
+  // Makes all faces at once from vertex lists (3 or 4 indices, counter-clockwise). Vertices of no
+  // face vanish.
   // Throws InternalError where the result is no manifold with border.
   void build(const std::vector<std::vector<VertexH>>& faces);
 

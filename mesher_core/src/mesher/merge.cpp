@@ -22,6 +22,7 @@ class Merger {
   void add_parents(const SurfaceMesh& mesh, const std::vector<int>& number);
   void add_elements(const PatchJob& job, const std::vector<int>& number);
   void add_edge_segments();
+  void add_inner_segments(const SurfaceMesh& mesh, const std::vector<int>& number);
 
   const std::vector<std::unique_ptr<PatchJob>>& jobs_;
   const Discretization& boundary_;
@@ -112,7 +113,6 @@ void Merger::add_elements(const PatchJob& job, const std::vector<int>& number) {
 }
 
 void Merger::add_edge_segments() {
-  result_.edge_segments.resize(boundary_.edges.size());
   for (std::size_t e = 0; e < boundary_.edges.size(); ++e) {
     if (!edge_used_[e]) continue;
     const auto& nodes = boundary_.edges[e].nodes;
@@ -123,14 +123,29 @@ void Merger::add_edge_segments() {
   }
 }
 
+// Mesh edges on the model's edges inside a patch, in no order.
+void Merger::add_inner_segments(const SurfaceMesh& mesh, const std::vector<int>& number) {
+  for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
+    const HalfedgeH h(i);
+    if (!mesh.alive(h) || !mesh.curve(h).valid() || mesh.is_border(h) ||
+        mesh.is_border(SurfaceMesh::twin(h))) {
+      continue;
+    }
+    result_.edge_segments[mesh.curve(h).index()].push_back(
+        {number[mesh.from(h).index()], number[mesh.to(h).index()]});
+  }
+}
+
 MeshResult Merger::run() {
   number_boundary_nodes();
+  result_.edge_segments.resize(boundary_.edges.size());
   std::vector<int> number;
   for (const auto& job : jobs_) {
     if (job->meshed()) {
       add_nodes(job->mesh(), number);
       add_parents(job->mesh(), number);
       add_elements(*job, number);
+      add_inner_segments(job->mesh(), number);
     }
     result_.patches.push_back(job->report());
     for (Diagnostic& diagnostic : job->diagnostics()) {

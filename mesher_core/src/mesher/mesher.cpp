@@ -199,7 +199,7 @@ void Mesher::Impl::report_idle_walls(std::vector<Diagnostic>& diagnostics) const
 MeshResult Mesher::Impl::finish() {
   const Stopwatch watch(seconds["core"]);
   for_each_job([this](PatchJob& job, std::size_t) {
-    job.finish(cancel);
+    job.finish(boundary, cancel);
     job.measure(cancel);
   });
   MeshResult result = merge(jobs, boundary, cancel);

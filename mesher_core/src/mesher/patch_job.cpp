@@ -1,5 +1,6 @@
 #include "mesher/patch_job.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <sstream>
@@ -9,6 +10,8 @@
 #include "mesher/wall_report.h"
 #include "quality/core_improvement.h"
 #include "quality/core_region.h"
+#include "quality/face_sides.h"
+#include "quality/imprint_edges.h"
 #include "quality/inversion.h"
 #include "quality/recombine.h"
 #include "triangulate/triangulate.h"
@@ -152,15 +155,55 @@ void PatchJob::end_layers() {
   thaw_core_edges(mesh_);
 }
 
-void PatchJob::finish(const CancelFlag& cancel) {
+void PatchJob::complete(const CancelFlag& cancel) {
+  improve_core(mesh_, surface_, cancel);
+  if (settings_->core == CoreElements::kQuads) recombine(mesh_, surface_, cancel);
+  mend_inverted(mesh_, surface_, cancel);
+  return_to_core(mesh_);
+}
+
+int PatchJob::count_inverted(const CancelFlag& cancel) {
+  int inverted = 0;
+  for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
+    cancel.check();
+    if (mesh_.alive(FaceH(i)) && is_inverted(mesh_, FaceH(i), surface_)) ++inverted;
+  }
+  return inverted;
+}
+
+// The layers ran across the edges inside the patch; here every element comes to lie on one face.
+// Where that would cost an element turned over, elements reach over the edges instead.
+void PatchJob::complete_along_edges(const Discretization& boundary, const CancelFlag& cancel) {
+  SurfaceMesh across = mesh_;
+  int crossing = imprint_edges(mesh_, surface_, boundary, cancel);
+  complete(cancel);
+  if (const int inverted = count_inverted(cancel); inverted > 0) {
+    std::swap(mesh_, across);
+    complete(cancel);
+    if (count_inverted(cancel) < inverted) {
+      crossing = -1;
+    } else {
+      std::swap(mesh_, across);
+    }
+  }
+  if (crossing == 0) return;
+  complain(
+      Severity::kWarning, "elements-cross-edges",
+      patch_name(faces_) + ": " + (crossing > 0 ? std::to_string(crossing) : std::string("its")) +
+          " elements reach over edges inside the patch; lower feature_angle to part its faces");
+}
+
+void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) {
   end_layers();
   if (!meshed_) return;
   guard("core-not-improved", [&] {
     return_to_core(mesh_);
-    improve_core(mesh_, surface_, cancel);
-    if (settings_->core == CoreElements::kQuads) recombine(mesh_, surface_, cancel);
-    mend_inverted(mesh_, surface_, cancel);
-    return_to_core(mesh_);
+    if (surface_.has_inner_edges()) {
+      complete_along_edges(boundary, cancel);
+    } else {
+      complete(cancel);
+    }
+    if (faces_.size() > 1) assign_faces(boundary);
   });
 }
 
@@ -232,9 +275,27 @@ void PatchJob::judge_inverted() {
   }
 }
 
-// In a patch of several faces an element belongs to the one that most of its corners lie on.
+void PatchJob::assign_faces(const Discretization& boundary) {
+  const FaceSides sides(mesh_, surface_, boundary);
+  face_of_.assign(mesh_.face_capacity(), FaceId());
+  for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
+    const FaceH f(i);
+    if (!mesh_.alive(f)) continue;
+    std::vector<VertexH> corners;
+    const HalfedgeH first = mesh_.halfedge(f);
+    HalfedgeH h = first;
+    do {
+      corners.push_back(mesh_.from(h));
+      h = mesh_.next(h);
+    } while (h != first);
+    face_of_[i] = sides.under(mesh_, surface_, corners);
+  }
+}
+
+// An element that lies on no face as a whole belongs to the one that most of its corners lie on.
 FaceId PatchJob::face_of(FaceH f) const {
   if (faces_.size() == 1) return faces_.front();
+  if (f.index() < face_of_.size() && face_of_[f.index()].valid()) return face_of_[f.index()];
   FaceId best;
   int best_votes = 0;
   const HalfedgeH first = mesh_.halfedge(f);

@@ -29,7 +29,7 @@ class PatchJob {
   // triangulated again. Empty where it is meshed, or is left out for another reason.
   std::vector<EdgeId> triangulate(const Discretization& boundary, const CancelFlag& cancel);
   bool advance(LayerReport& report, const CancelFlag& cancel);  // false: no front is left
-  void finish(const CancelFlag& cancel);
+  void finish(const Discretization& boundary, const CancelFlag& cancel);
   void measure(const CancelFlag& cancel);
 
   bool meshed() const { return meshed_; }
@@ -54,6 +54,10 @@ class PatchJob {
   bool guard(const char* code, const Stage& stage);
   void complain(Severity severity, const char* code, const std::string& text);
   void end_layers();
+  void complete(const CancelFlag& cancel);
+  int count_inverted(const CancelFlag& cancel);
+  void complete_along_edges(const Discretization& boundary, const CancelFlag& cancel);
+  void assign_faces(const Discretization& boundary);
   void count_elements(const CancelFlag& cancel);
   void judge_inverted();
   void judge_walls();
@@ -75,6 +79,7 @@ class PatchJob {
   std::vector<WallReport> wall_reports_;
   FigureCounts counts_;
   std::vector<FaceH> inverted_;
+  std::vector<FaceId> face_of_;  // by FaceH, of a finished patch of several faces
   std::vector<StopRecord> stops_;
   std::vector<Diagnostic> diagnostics_;
 };

@@ -141,6 +141,7 @@ bool Mender::flip_side(HalfedgeH h) {
   const VertexH c = mesh_.to(mesh_.next(h)), d = mesh_.to(mesh_.next(t));
   const int before = count(mesh_.face(h)) + count(mesh_.face(t));
   if (count(Triangle{a, d, c}) + count(Triangle{d, b, c}) >= before) return false;
+  if (mesh_.curve(h).valid()) return false;
   const bool frozen = mesh_.frozen(h);
   mesh_.set_frozen(h, false);
   if (mesh_.flip_veto(h) == Veto::kNone) {
@@ -154,6 +155,7 @@ bool Mender::flip_side(HalfedgeH h) {
 // `h` lies between a triangle, on its left, and a quad.
 bool Mender::recut_beside(HalfedgeH h) {
   const HalfedgeH t = SurfaceMesh::twin(h);
+  if (mesh_.curve(h).valid()) return false;
   const Pentagon pentagon = pentagon_at(mesh_, h, mesh_.to(mesh_.next(h)));
   const int before = count(mesh_.face(h)) + count(mesh_.face(t));
   for (const auto cut : {PentagonCut::kA, PentagonCut::kB, PentagonCut::kC, PentagonCut::kD}) {

@@ -40,7 +40,7 @@ struct Recut {
 
 void consider(const SurfaceMesh& mesh, HalfedgeH shared, Recut& best) {
   const HalfedgeH beyond = SurfaceMesh::twin(shared);
-  if (mesh.is_border(beyond) || mesh.is_triangle(beyond)) return;
+  if (mesh.is_border(beyond) || mesh.is_triangle(beyond) || mesh.curve(shared).valid()) return;
   const Pentagon pentagon = pentagon_at(mesh, shared, mesh.to(mesh.next(shared)));
   const auto shape = [&](PentagonCut cut) {
     const PentagonHalves halves = halves_of(pentagon, cut);

@@ -79,7 +79,7 @@ void PairCloser::find_goals(FaceH start) {
     if (i > 0 && mesh_.is_triangle(mesh_.halfedge(touched_[i]))) continue;
     for_each_side(mesh_, touched_[i], [&](HalfedgeH h) {
       const HalfedgeH t = SurfaceMesh::twin(h);
-      if (mesh_.is_border(t)) return;
+      if (mesh_.is_border(t) || mesh_.curve(h).valid()) return;
       const FaceH next = mesh_.face(t);
       if (parent_[next.index()].valid() || !may_go(next)) return;
       parent_[next.index()] = touched_[i];
@@ -93,13 +93,17 @@ void PairCloser::find_goals(FaceH start) {
 // The disc's corners in order; false where they are no simple loop, too many, or odd.
 bool PairCloser::find_loop(const Faces& disc) {
   std::vector<HalfedgeH> sides;
+  bool over_edge = false;  // of the model
   for (const FaceH f : disc) {
     for_each_side(mesh_, f, [&](HalfedgeH h) {
       const HalfedgeH t = SurfaceMesh::twin(h);
-      if (mesh_.is_border(t) || !contains(disc, mesh_.face(t))) sides.push_back(h);
+      const bool outer = mesh_.is_border(t) || !contains(disc, mesh_.face(t));
+      if (outer) sides.push_back(h);
+      over_edge = over_edge || (!outer && mesh_.curve(h).valid());
     });
   }
-  if (sides.size() < 4 || sides.size() > kMostCorners || sides.size() % 2 != 0) return false;
+  if (over_edge || sides.size() < 4 || sides.size() > kMostCorners || sides.size() % 2 != 0)
+    return false;
   loop_.clear();
   longest_ = 0.0;
   for (HalfedgeH h = sides.front(); loop_.size() < sides.size();) {
@@ -157,7 +161,7 @@ Faces PairCloser::neighbours(const Faces& disc) const {
   for (const FaceH f : disc) {
     for_each_side(mesh_, f, [&](HalfedgeH h) {
       const HalfedgeH t = SurfaceMesh::twin(h);
-      if (mesh_.is_border(t) || mesh_.is_triangle(t)) return;
+      if (mesh_.is_border(t) || mesh_.is_triangle(t) || mesh_.curve(h).valid()) return;
       const FaceH g = mesh_.face(t);
       if (may_go(g) && !contains(disc, g) && !contains(found, g)) found.push_back(g);
     });
