@@ -14,7 +14,7 @@ from PySide import QtCore
 PIECE = 20000
 _TURN = 0.03  # [s] spent on pieces before the event loop has its turn
 # Beside the viewer's own light, so that no side of the model is black.
-_LIGHTS = (((0.2, 0.3, 1.0), 0.45), ((1.0, 0.6, -0.8), 0.3))
+_LIGHTS = (((0.2, 0.3, 1.0), 0.12), ((1.0, 0.6, 0.0), 0.10))
 _LINE_COLOUR = (0.10, 0.12, 0.16)
 
 
