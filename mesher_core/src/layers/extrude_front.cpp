@@ -16,10 +16,8 @@ constexpr double kReversalAngle = 315.0 * kDegree;  // and from here four
 // An extrusion turns with the surface no further than elements may deviate from it (paper, II.D).
 constexpr double kMostBend = 30.0 * kDegree;
 constexpr double kMostEdgeBend = 50.0 * kDegree;  // of a front edge that spreads
-constexpr int kStraightLayers = 5;                // grow along the bisector
-constexpr double kEvenTurn = 20.0 * kDegree;
-constexpr double kEvening = 0.25;    // of the edges' difference, per layer
-constexpr double kEvenSlide = 0.15;  // of the height at most
+constexpr double kEvening = 0.25;                 // of the edges' difference, per layer
+constexpr double kEvenSlide = 0.15;               // of the height at most
 
 class Extruder {
  public:
@@ -86,7 +84,8 @@ class Extruder {
   double evening_slide(int i) const {
     if (draft_.state.layer <= kStraightLayers) return 0.0;
     for (const int k : {draft_.front[i].prev, i, draft_.front[i].next}) {
-      if (k < 0 || !draft_.advances(k) || std::abs(draft_.shape(k).turn()) > kEvenTurn) return 0.0;
+      if (k < 0 || !draft_.advances(k) || std::abs(draft_.shape(k).turn()) > kRegularTurn)
+        return 0.0;
     }
     const NodeShape& s = draft_.shape(i);
     const double most = kEvenSlide * draft_.height(i);

@@ -1,6 +1,7 @@
 // What the steps of one layer share.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,11 @@
 #include "layers/reconnect.h"
 
 namespace advlayers {
+
+// Regular vertices of the first layers stay where they were extruded to, along the bisector and at
+// the height that was asked for.
+inline constexpr int kStraightLayers = 5;
+inline constexpr double kRegularTurn = 20.0 * M_PI / 180.0;  // of the front, at most
 
 struct LayerState {
   PatchId patch;

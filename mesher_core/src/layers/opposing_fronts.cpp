@@ -8,12 +8,9 @@
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kCapReach = 3.0;             // heights
-constexpr double kAlignReach = 2.5;           // front edges
-constexpr int kStraightLayers = 5;            // grow along the bisector, whatever lies ahead
-constexpr double kMostSlide = 0.3;            // of the height: 17 degrees
-constexpr double kMostTurn = 20.0 * kDegree;  // of the front at a vertex that slides
+constexpr double kCapReach = 3.0;    // heights
+constexpr double kAlignReach = 2.5;  // front edges
+constexpr double kMostSlide = 0.3;   // of the height: 17 degrees
 
 class Aligner {
  public:
@@ -61,7 +58,7 @@ class Aligner {
   bool may_slide(int i) const {
     const FrontNode& node = front_[i];
     return node.active && node.prev >= 0 && node.next >= 0 && sights_[index(i)].seen &&
-           std::abs(shapes_[index(i)].turn()) < kMostTurn;
+           std::abs(shapes_[index(i)].turn()) < kRegularTurn;
   }
   Vec3 along(int i) const {
     return (shapes_[index(i)].to_next - shapes_[index(i)].to_prev).normalized();

@@ -46,6 +46,7 @@ struct PatchLayers::Impl {
 
   void done(Step step) const {
     if (hook) hook(step, state.mesh);
+    state.cancel->check();
   }
 
   // Algorithm 1, lines 8 to 17. The front is collapsed in the plan, before anything is inserted.

@@ -13,6 +13,7 @@ constexpr double kOriginalSpring = 0.1;
 constexpr int kPasses = 8;
 constexpr double kMostStep = 0.05;    // of the height, per pass
 constexpr double kLeastAngle = 0.01;  // [rad] that a move may leave in an element beside it
+constexpr double kVeryUneven = 1.3;   // at regular vertices of the first layers
 constexpr double kUneven = 1.15;      // neighbour edges that differ more are worth smoothing
 // Front edges of this many heights: no angle gains from a step along them, but heights lose.
 constexpr double kFlat = 12.0;
@@ -24,6 +25,10 @@ struct Spring {
   Vec3 parent = Vec3::Zero(), original = Vec3::Zero();
   double height = 0.0;
 };
+
+bool is_regular(const LayerPlan& plan, const Kid& kid) {
+  return kid.parents.size() == 1 && std::abs(plan.shapes[index(kid.origin)].turn()) < kRegularTurn;
+}
 
 std::vector<Spring> springs(const LayerState& state, const LayerPlan& plan) {
   std::vector<int> left(plan.kids.size(), -1), right(plan.kids.size(), -1);
@@ -37,12 +42,13 @@ std::vector<Spring> springs(const LayerState& state, const LayerPlan& plan) {
   std::vector<Spring> result;
   for (std::size_t k = 0; k < plan.kids.size(); ++k) {
     const Kid& kid = plan.kids[k];
+    const bool regular = state.layer <= kStraightLayers && is_regular(plan, kid);
     if (!kid.alive || left[k] < 0 || right[k] < 0 || kid.fan_age >= 0) continue;
     Spring spring{static_cast<int>(k), left[k], right[k]};
     const auto at = [&](int i) { return plan.kids[index(i)].point.xyz; };
     const double a = (at(left[k]) - kid.point.xyz).norm();
     const double b = (at(right[k]) - kid.point.xyz).norm();
-    if (std::max(a, b) < kUneven * std::min(a, b)) continue;
+    if (std::max(a, b) < (regular ? kVeryUneven : kUneven) * std::min(a, b)) continue;
     spring.parent = state.mesh.position(state.front[kid.origin].vertex);
     spring.original = kid.point.xyz;
     spring.height = (kid.point.xyz - spring.parent).norm();

@@ -150,11 +150,19 @@ class Merger {
     return bent(before, true) || bent(after, false);
   }
 
+  // Of two merged kids the later node's stays, so that of two merged pairs side by side the quad
+  // between them has a parent-kid edge; but the earlier one's where the node before shares a kid
+  // that was extruded elsewhere, and a vertex of the boundary in any case.
+  bool keeps_earlier(int i) const {
+    const auto& kids = draft_.kids_of(i);
+    if (kids.size() == 1 && draft_.kid(kids[0]).given) return true;
+    const int before = draft_.front[i].prev;
+    if (before < 0 || draft_.kids_of(before).empty()) return false;
+    return draft_.kid(draft_.kids_of(before).back()).origin != before;
+  }
+
   void merge(int i, int k) {
-    // The kid of the later node stays, so that of two merged pairs side by side the quad between
-    // them has a parent-kid edge; a vertex of the boundary stays in any case.
-    const auto& of_i = draft_.kids_of(i);
-    if (of_i.size() != 1 || !draft_.kid(of_i[0]).given) std::swap(i, k);
+    if (!keeps_earlier(i)) std::swap(i, k);
     auto& kids_i = draft_.kids_of(i);
     auto& kids_k = draft_.kids_of(k);
     if (kids_i.size() != 1 || kids_k.size() != 1 || draft_.kid(kids_i[0]).tread ||
