@@ -77,6 +77,18 @@ double PatchSurface::nearest(const Crossing& crossing, const Vec3& xyz, double& 
   return (evaluator_->edge_point(id, t) - xyz).norm();
 }
 
+bool PatchSurface::faceted() const {
+  constexpr double kCoplanar = 1e-3;  // [rad]
+  bool leaning = false;
+  for (const FaceId face : faces_) {
+    if (model().face(face).kind != SurfaceKind::kPlane) return false;
+  }
+  for (const EdgeId edge : inner_edges()) {
+    leaning = leaning || model().dihedral_angle(edge) > kCoplanar;
+  }
+  return leaning;
+}
+
 std::vector<EdgeId> PatchSurface::inner_edges() const {
   std::vector<EdgeId> edges;
   for (const Crossing& crossing : crossings_) edges.push_back(crossing.coedge.edge);

@@ -18,6 +18,9 @@ class PatchSurface {
   const std::vector<FaceId>& faces() const { return faces_; }
   const Model& model() const { return evaluator_->model(); }
   bool has_inner_edges() const { return !crossings_.empty(); }
+  // True where all faces are planes that lean against each other: facets of one surface, whose
+  // edges mean nothing.
+  bool faceted() const;
   // The edges between two faces of the patch over which it continues, each once, sorted.
   std::vector<EdgeId> inner_edges() const;
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "mesh/validate.h"
 #include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
 #include "quality/core_improvement.h"
@@ -196,15 +197,27 @@ void PatchJob::complete_along_edges(const Discretization& boundary, const Cancel
 void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) {
   end_layers();
   if (!meshed_) return;
-  guard("core-not-improved", [&] {
+  if (const std::string fault = find_connectivity_fault(mesh_); !fault.empty()) {
+    complain(Severity::kError, "face-not-meshed",
+             patch_name(faces_) + ": its layers broke the mesh: " + fault);
+    meshed_ = false;
+    return;
+  }
+  const SurfaceMesh before = mesh_;
+  const bool done = guard("core-not-improved", [&] {
     return_to_core(mesh_);
-    if (surface_.has_inner_edges()) {
+    if (surface_.has_inner_edges() && !surface_.faceted()) {
       complete_along_edges(boundary, cancel);
     } else {
       complete(cancel);
     }
     if (faces_.size() > 1) assign_faces(boundary);
+    const std::string fault = find_connectivity_fault(mesh_);
+    if (!fault.empty()) throw InternalError(fault);
   });
+  if (done) return;
+  mesh_ = before;
+  face_of_.clear();
 }
 
 void PatchJob::measure(const CancelFlag& cancel) {
