@@ -20,6 +20,9 @@ struct Columns {
       if (!mesh.alive(v)) continue;
       const VertexH parent = mesh.data(v).parent;
       if (!parent.valid() || !mesh.alive(parent)) continue;
+      // A boundary vertex that two chains' ends passed knows the later one alone: without the order
+      // of layers such columns could run in a circle.
+      if (mesh.data(parent).layer >= mesh.data(v).layer) continue;
       if (!mesh.find_halfedge(parent, v).valid()) continue;
       int& slot = kid[parent.index()];
       slot = slot == kNoKid ? v.value : kSeveralKids;
