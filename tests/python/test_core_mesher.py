@@ -126,7 +126,7 @@ def test_ctrl_c_interrupts():
     child.stdout.readline()
     time.sleep(0.3)
     child.send_signal(signal.SIGINT)
-    _, errors = child.communicate(timeout=10)
+    _, errors = child.communicate(timeout=60)
     assert b"KeyboardInterrupt" in errors
 
 
