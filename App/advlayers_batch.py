@@ -77,11 +77,13 @@ def _load_own_packages():
         if folder in sys.path:
             sys.path.remove(folder)
         sys.path.insert(0, folder)
-    import advlayers
-
+    try:
+        import advlayers
+        from advlayers import core_access, job, job_run
+        from advlayers.errors import CoreMissing
+    except ModuleNotFoundError as error:
+        raise _Refused(f"the Python package {error.name} is missing") from error
     _check_origin("advlayers", advlayers, _FOLDER)
-    from advlayers import core_access, job, job_run
-    from advlayers.errors import CoreMissing
 
     try:
         _check_origin("advlayers_core", core_access.load_core(), _CORE)
