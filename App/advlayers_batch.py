@@ -79,12 +79,12 @@ def _load_own_packages():
         sys.path.insert(0, folder)
     try:
         import advlayers
+
+        _check_origin("advlayers", advlayers, _FOLDER)
         from advlayers import core_access, job, job_run
         from advlayers.errors import CoreMissing
     except ModuleNotFoundError as error:
         raise _Refused(f"the Python package {error.name} is missing") from error
-    _check_origin("advlayers", advlayers, _FOLDER)
-
     try:
         _check_origin("advlayers_core", core_access.load_core(), _CORE)
     except CoreMissing as error:
