@@ -76,6 +76,10 @@ class Run:
         if self._mesher is not None:
             self._mesher.cancel()
 
+    def wait(self, seconds: float) -> None:
+        """For the end of the run, but no longer than that."""
+        self._thread.join(seconds)
+
     def reports(self, wait: float = 0.0) -> List[Any]:
         """The reports since the last call; waits up to `wait` seconds for the first of them."""
         reports = []

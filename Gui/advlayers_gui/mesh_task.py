@@ -25,6 +25,8 @@ _PATIENCE, _PATIENCE_SHARE = 0.5, 0.3
 _NEXT_WAIT = 1.5
 # A picture may take this share of the time of the run.
 _PICTURE_SHARE = 0.2
+# [s] that stop() waits for the worker: its last picture might keep the window busy for longer.
+_STOP_WAIT = 0.1
 
 
 @dataclass
@@ -118,6 +120,7 @@ class MeshTask:
         self._drawing_since: Optional[float] = None
         self._run = Run(lambda: task.make_mesher(core),
                         self._pictures.offer if self._pictures else None, self._finish)
+        self._cancelled = False
         self._timer = QtCore.QTimer()
         self._timer.setInterval(_POLL)
         self._timer.timeout.connect(self._look)
@@ -131,31 +134,46 @@ class MeshTask:
         return self._timer.isActive()
 
     def stop(self) -> None:
-        """Asks for the end; on_stopped follows."""
-        self._run.cancel()
+        """Ends the run, as a rule before it returns; on_stopped is called when it has ended."""
+        self._cancel()
+        self._run.wait(_STOP_WAIT)
+        self._look()
 
     def abandon(self) -> None:
         """Ends the run without a further word: its object or its panel is going away."""
         self._timer.stop()
+        self._cancel()
+
+    def _cancel(self) -> None:
+        self._cancelled = True
         self._run.cancel()
+        if self._pictures is not None:
+            self._pictures.give_up()
 
     def _finish(self, mesh, check) -> Outcome:
         report = make_report(self._label, mesh, [], mesh.seconds)
-        data = MeshData(of_core(mesh), height_errors(mesh), report)
+        check()
+        errors = height_errors(mesh)
+        check()
+        data = MeshData(of_core(mesh), errors, report)
         data.field(QUALITY)  # takes a while for a large mesh: better here than in the window
         check()
         return Outcome(self._task, mesh, self._task.make_fem_mesh(mesh, check), data)
 
     def _look(self) -> None:
         running = self._run.running  # asked first, so that no report after it is missed
+        if not self._cancelled:
+            self._show_progress(running)
+        if not running and self._timer.isActive():
+            self._timer.stop()
+            self._end()
+
+    def _show_progress(self, running: bool) -> None:
         self.progress.add(self._run.reports())
         self.progress.grown = self._run.grown
         self._on_progress(self.progress)
         if running and self._pictures and not self._canvas.busy:
             self._draw()
-        if not running and self._timer.isActive():
-            self._timer.stop()
-            self._end()
 
     def _draw(self) -> None:
         if self._drawing_since is not None:
@@ -208,6 +226,7 @@ class _Pictures:
             check()
             picture.append(piece)
         self._taken.clear()
+        check()  # after clear(): what give_up() sets from now on ends the wait below
         with self._lock:
             self._newest = picture
         self._cost = time.monotonic() - start
@@ -217,6 +236,10 @@ class _Pictures:
             self._taken.wait(self._patience)
             self._patience -= time.monotonic() - start
         self._due = time.monotonic() + max(1.0 / self._rate, self._cost / _PICTURE_SHARE)
+
+    def give_up(self) -> None:
+        """The run was cancelled: a worker that waits for its picture to be drawn goes on."""
+        self._taken.set()
 
     def take(self) -> Any:
         """In the window's thread."""

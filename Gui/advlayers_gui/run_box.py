@@ -79,6 +79,7 @@ class RunBox:
         if self._task is None:
             self.start()
         else:
+            self.say(tr("Stopping…"))
             self._task.stop()
 
     def _progressed(self, progress: Progress) -> None:

@@ -467,6 +467,10 @@
         <translation>Angehalten; das Netz ist das vorige.</translation>
     </message>
     <message>
+        <source>Stopping…</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
         <source>Takes the marked rows off the list</source>
         <translation>Nimmt die markierten Zeilen von der Liste</translation>
     </message>

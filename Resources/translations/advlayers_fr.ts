@@ -467,6 +467,10 @@
         <translation>Arrêté ; le maillage est le précédent.</translation>
     </message>
     <message>
+        <source>Stopping…</source>
+        <translation>Arrêt en cours…</translation>
+    </message>
+    <message>
         <source>Takes the marked rows off the list</source>
         <translation>Retire de la liste les lignes marquées</translation>
     </message>
