@@ -56,8 +56,9 @@ def make_wall(mesh_object, references, condition: str = "Wall", label: str = "",
 
     References are names on the meshed object, or pairs of an object and names. With faces too,
     layers grow on their side only; faces alone stand for all their boundary edges. Condition:
-    "Wall", or "Match" or "Off" for edges that layers run along or that have none. The values are
-    those of one wall on the reference page. Raises InputError.
+    "Wall", or "Match" or "Off" for edges that layers run along or that have none, or "Boundary" or
+    "Smooth" for edges that part their faces, or do not, whatever feature_angle says. The values
+    are those of one wall on the reference page. Raises InputError.
     """
     from advlayers import controls
 

@@ -1,8 +1,8 @@
 """Children of a layer mesh in the document: walls, sizes and named groups of faces and edges.
 
 Each holds references to the meshed object and its own values; together they are the settings
-`walls`, `match`, `off`, `sizes` and `groups`. The module's and the classes' names are part of saved
-files.
+`walls`, `match`, `off`, `boundary`, `smooth`, `sizes` and `groups`. The module's and the classes'
+names are part of saved files.
 """
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from advlayers.settings_table import (
     REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, setting,
     unset_value)
 
-CONDITIONS = ("Wall", "Match", "Off")
+CONDITIONS = ("Wall", "Match", "Off", "Boundary", "Smooth")
 _REFERENCES = "References"
 _PICKED = "Picked"
 
@@ -84,8 +84,13 @@ class Wall(Control):
             document_object.addProperty(
                 "App::PropertyEnumeration", "Condition", "Wall",
                 "Wall: layers grow from the edges. Match: layers of other walls run along them. "
-                "Off: neither.")
+                "Off: neither. Boundary: they bound their faces, however smoothly these meet. "
+                "Smooth: layers run across them.")
             document_object.Condition = list(CONDITIONS)
+        elif document_object.getEnumerationsOfProperty("Condition") != list(CONDITIONS):
+            chosen = document_object.Condition  # of a file from before there were so many
+            document_object.Condition = list(CONDITIONS)
+            document_object.Condition = chosen
 
 
 class Size(Control):
@@ -262,8 +267,8 @@ def contributions(mesh_object) -> Dict[str, Any]:
         conditions[wall.Condition].append(_wall(wall, source))
     found = {
         "walls": conditions["Wall"] or ("all" if mesh_object.GrowFromAll else []),
-        "match": [edge for wall in conditions["Match"] for edge in wall["edges"]],
-        "off": [edge for wall in conditions["Off"] for edge in wall["edges"]],
+        **{condition.lower(): [edge for wall in conditions[condition] for edge in wall["edges"]]
+           for condition in CONDITIONS[1:]},
         "groups": {group.GroupName: names_on(source, group.References)
                    for group in mesh_object.GroupList},
     }

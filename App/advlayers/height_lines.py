@@ -90,7 +90,7 @@ def _spacing(wall: Mapping[str, Any], settings: Mapping[str, Any]) -> Optional[_
 def _walls(shape, settings: Mapping[str, Any]) -> List[Mapping[str, Any]]:
     names = {_key(edge): f"Edge{number}" for number, edge in enumerate(shape.Edges, 1)}
     if settings["walls"] == "all":
-        without = {*settings["match"], *settings["off"]}
+        without = {*settings["match"], *settings["off"], *settings["smooth"]}
         return [{"faces": (),
                  "names": {key: name for key, name in names.items() if name not in without}}]
     return [{**wall, "names": {key: name for key, name in names.items() if name in wall["edges"]}}

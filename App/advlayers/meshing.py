@@ -12,7 +12,8 @@ def core_settings(core, settings: Mapping[str, Any], diagonal: float):
     """The core's Settings from every key of MESH_SETTINGS but groups, lengths filled in."""
     values: Dict[str, Any] = {key: value for key, value in settings.items() if key != "groups"}
     values.update(default_lengths(settings, diagonal))
-    values["match"], values["off"] = list(values["match"]), list(values["off"])
+    for key in ("match", "off", "boundary", "smooth"):
+        values[key] = list(values[key])
     if values["faces"] != "all":
         values["faces"] = list(values["faces"])
     if values["walls"] != "all":

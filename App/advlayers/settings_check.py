@@ -56,8 +56,8 @@ def check_names(settings: Mapping[str, Any], faces: int, edges: int, what: str) 
     for i, size in enumerate(settings["sizes"]):
         check(f"sizes[{i}].edges", size["edges"])
         check(f"sizes[{i}].faces", size["faces"])
-    check("match", settings["match"])
-    check("off", settings["off"])
+    for key in ("match", "off", "boundary", "smooth"):
+        check(key, settings[key])
     for group, names in settings["groups"].items():
         check(f"groups.{group}", names)
         for name in names:

@@ -112,6 +112,18 @@ MESH_SETTINGS = (
         child="Wall",
     ),
     Setting(
+        "boundary", "edges", (),
+        "Edges that bound the patches of their faces whatever feature_angle says, so that layers "
+        "may grow from them: also smooth edges, and the seams of closed faces.",
+        child="Wall",
+    ),
+    Setting(
+        "smooth", "edges", (),
+        "Edges between two faces that layers run across whatever feature_angle says. The faces "
+        "may meet there at up to 70 degrees.",
+        child="Wall",
+    ),
+    Setting(
         "core", "choice", "quads",
         "What fills the part that no layer reaches: quads where they come out well, or triangles.",
         choices=("quads", "triangles"),

@@ -70,6 +70,12 @@ class ControlTable:
                  controls.Wall, "Match"),
                 ("Off", tr("Off"),
                  tr("No layers at the selected edges"), controls.Wall, "Off"),
+                ("Boundary", tr("Boundary"),
+                 tr("The selected edges bound their faces, however smoothly these meet"),
+                 controls.Wall, "Boundary"),
+                ("Smooth", tr("Smooth"),
+                 tr("Layers run across the selected edges, however sharply their faces meet"),
+                 controls.Wall, "Smooth"),
                 ("Size", tr("Size"),
                  tr("A size of their own for the selected faces and edges"),
                  controls.Size, ""),
@@ -90,7 +96,7 @@ class ControlTable:
         remove.setObjectName("AdvLayersRemoveControl")
         remove.setToolTip(tr("Removes the marked row"))
         remove.clicked.connect(self._remove)
-        grid.addWidget(remove, 1, 2)
+        grid.addWidget(remove, 2, 1, 1, 2)
         return grid
 
     def _make_table(self):

@@ -267,6 +267,10 @@
         <translation>Beide Enden</translation>
     </message>
     <message>
+        <source>Boundary</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
         <source>Cluster</source>
         <translation>Verdichtung</translation>
     </message>
@@ -345,6 +349,10 @@
     <message>
         <source>Layers grow from the selected edges; with faces selected too, on these alone</source>
         <translation>Schichten wachsen von den gewählten Kanten; sind auch Flächen gewählt, nur auf diesen</translation>
+    </message>
+    <message>
+        <source>Layers run across the selected edges, however sharply their faces meet</source>
+        <translation>Schichten laufen über die gewählten Kanten hinweg, wie scharf deren Flächen auch aneinander stoßen</translation>
     </message>
     <message>
         <source>Layers run along the selected edges</source>
@@ -459,6 +467,10 @@
         <translation>Größenwachstum</translation>
     </message>
     <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
@@ -477,6 +489,10 @@
     <message>
         <source>Tangent</source>
         <translation>Tangential</translation>
+    </message>
+    <message>
+        <source>The selected edges bound their faces, however smoothly these meet</source>
+        <translation>Die gewählten Kanten begrenzen ihre Flächen, wie glatt diese auch aneinander stoßen</translation>
     </message>
     <message>
         <source>There is no mesh yet.</source>
@@ -830,8 +846,8 @@
         <translation>Dreiecke des Netzes.</translation>
     </message>
     <message>
-        <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither.</source>
-        <translation>Wall: Schichten wachsen von den Kanten. Match: Schichten anderer Wände laufen an ihnen entlang. Off: keins von beidem.</translation>
+        <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>
+        <translation>Wall: Schichten wachsen von den Kanten. Match: Schichten anderer Wände laufen an ihnen entlang. Off: keins von beidem. Boundary: sie begrenzen ihre Flächen, wie glatt diese auch aneinander stoßen. Smooth: Schichten laufen über sie hinweg.</translation>
     </message>
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>

@@ -267,6 +267,10 @@
         <translation>Deux bouts</translation>
     </message>
     <message>
+        <source>Boundary</source>
+        <translation>Bord</translation>
+    </message>
+    <message>
         <source>Cluster</source>
         <translation>Resserrement</translation>
     </message>
@@ -345,6 +349,10 @@
     <message>
         <source>Layers grow from the selected edges; with faces selected too, on these alone</source>
         <translation>Les couches croissent depuis les arêtes sélectionnées ; si des faces le sont aussi, sur celles-ci seulement</translation>
+    </message>
+    <message>
+        <source>Layers run across the selected edges, however sharply their faces meet</source>
+        <translation>Les couches traversent les arêtes sélectionnées, si vif que soit l’angle de leurs faces</translation>
     </message>
     <message>
         <source>Layers run along the selected edges</source>
@@ -459,6 +467,10 @@
         <translation>Croissance de la taille</translation>
     </message>
     <message>
+        <source>Smooth</source>
+        <translation>Lisse</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Arrêter</translation>
     </message>
@@ -477,6 +489,10 @@
     <message>
         <source>Tangent</source>
         <translation>Tangente</translation>
+    </message>
+    <message>
+        <source>The selected edges bound their faces, however smoothly these meet</source>
+        <translation>Les arêtes sélectionnées bordent leurs faces, si lisse que soit leur raccord</translation>
     </message>
     <message>
         <source>There is no mesh yet.</source>
@@ -830,8 +846,8 @@
         <translation>Triangles du maillage.</translation>
     </message>
     <message>
-        <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither.</source>
-        <translation>Wall : les couches croissent depuis les arêtes. Match : les couches d'autres parois courent le long d'elles. Off : ni l'un ni l'autre.</translation>
+        <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>
+        <translation>Wall : des couches croissent des arêtes. Match : les couches d’autres parois les longent. Off : ni l’un ni l’autre. Boundary : elles bordent leurs faces, si lisse que soit leur raccord. Smooth : les couches les traversent.</translation>
     </message>
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>

@@ -67,6 +67,10 @@ const Keyword kKeywords[] = {
      [](const py::handle& v, Settings& s) { s.match_edges = names<EdgeId>(v, "match", "Edge"); }},
     {"off",
      [](const py::handle& v, Settings& s) { s.off_edges = names<EdgeId>(v, "off", "Edge"); }},
+    {"boundary", [](const py::handle& v,
+                    Settings& s) { s.boundary_edges = names<EdgeId>(v, "boundary", "Edge"); }},
+    {"smooth",
+     [](const py::handle& v, Settings& s) { s.smooth_edges = names<EdgeId>(v, "smooth", "Edge"); }},
     {"faces", set_faces},
     {"threads", [](const py::handle& v, Settings& s) { s.threads = count(v, "threads"); }},
 };
@@ -105,7 +109,7 @@ constexpr const char* kDoc =
     "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=0,\n"
     "curvature_angle=20, size_growth=1.4, sizes=[], refinements=[], core=\"quads\", "
     "walls=\"all\",\n"
-    "match=[], off=[], faces=\"all\", threads=0)\n\n"
+    "match=[], off=[], boundary=[], smooth=[], faces=\"all\", threads=0)\n\n"
     "size, first_height in mm; angles in degrees. layers: a number, 0 = until the fronts close, "
     "or\n"
     "\"isotropic\". walls: \"all\", or a list of {\"edges\": [\"Edge3\"], \"faces\": [\"Face1\"],\n"

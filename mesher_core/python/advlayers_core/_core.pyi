@@ -67,6 +67,7 @@ class Settings:
         core: Literal["quads", "triangles"] = ...,
         walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
         match: Iterable[str] = ..., off: Iterable[str] = ...,
+        boundary: Iterable[str] = ..., smooth: Iterable[str] = ...,
         faces: Union[Literal["all"], Iterable[str]] = ..., threads: int = ...,
     ) -> None: ...
     @property

@@ -23,12 +23,13 @@ struct Use {
 
 }  // namespace
 
-PatchSurface::PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces, double feature_angle)
+PatchSurface::PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces, const FeatureRule& rule)
     : evaluator_(&evaluator), faces_(std::move(faces)) {
-  if (faces_.size() > 1) find_crossings(feature_angle);
+  if (faces_.size() > 1) find_crossings(rule);
+  faceted_ = has_facets(rule.smooth);
 }
 
-void PatchSurface::find_crossings(double feature_angle) {
+void PatchSurface::find_crossings(const FeatureRule& rule) {
   const Model& model = evaluator_->model();
   std::map<EdgeId, std::vector<Use>> uses;
   for (const FaceId f : faces_) {
@@ -36,10 +37,10 @@ void PatchSurface::find_crossings(double feature_angle) {
       for (const CoEdge& coedge : loop) uses[coedge.edge].push_back({f, coedge});
     }
   }
-  for (const auto& [id, sides] : uses) {
+  for (const EdgeId id : advlayers::inner_edges(*evaluator_, faces_, rule)) {
     const Edge& edge = model.edge(id);
-    if (edge.degenerate || sides.size() != 2 || sides[0].face == sides[1].face) continue;
-    if (!(model.dihedral_angle(id) < feature_angle * M_PI / 180.0)) continue;
+    const std::vector<Use>& sides = uses[id];
+    if (sides[0].face == sides[1].face) continue;  // a seam
     for (int k = 0; k < 2; ++k) {
       Crossing& crossing = crossings_.emplace_back();
       crossing.from = sides[static_cast<std::size_t>(k)].face;
@@ -77,13 +78,15 @@ double PatchSurface::nearest(const Crossing& crossing, const Vec3& xyz, double& 
   return (evaluator_->edge_point(id, t) - xyz).norm();
 }
 
-bool PatchSurface::faceted() const {
+// `smooth` holds the edges that were decided by hand: these are no facets' edges.
+bool PatchSurface::has_facets(const std::vector<EdgeId>& smooth) const {
   constexpr double kCoplanar = 1e-3;  // [rad]
   bool leaning = false;
   for (const FaceId face : faces_) {
     if (model().face(face).kind != SurfaceKind::kPlane) return false;
   }
   for (const EdgeId edge : inner_edges()) {
+    if (std::binary_search(smooth.begin(), smooth.end(), edge)) continue;
     leaning = leaning || model().dihedral_angle(edge) > kCoplanar;
   }
   return leaning;
@@ -224,7 +227,9 @@ bool PatchSurface::step(const SurfacePoint& from, const Vec3& direction, double 
     const Crossing* crossing = crossing_at(end, blur, exit < blur ? came_over : EdgeId(), t);
     SurfacePoint next;
     if (!crossing || !cross(*crossing, end.xyz, t, next)) return arrived;
+    // Unfolds the faces about the edge, so that a crease turns nothing aside.
     const Vec3 n = evaluator_->normal(next);
+    heading = Eigen::Quaterniond::FromTwoVectors(evaluator_->normal(end), n) * heading;
     heading = (heading - heading.dot(n) * n).normalized();
     came_over = crossing->coedge.edge;
     at = next;

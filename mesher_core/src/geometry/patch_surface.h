@@ -6,21 +6,20 @@
 #include <vector>
 
 #include "geometry/evaluator.h"
+#include "geometry/patch_edges.h"
 
 namespace advlayers {
 
 class PatchSurface {
  public:
-  // Edges inside the patch: those of exactly two of its faces that meet at less than
-  // `feature_angle` [deg].
-  PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces, double feature_angle = 20.0);
+  PatchSurface(Evaluator& evaluator, std::vector<FaceId> faces, const FeatureRule& rule = 20.0);
 
   const std::vector<FaceId>& faces() const { return faces_; }
   const Model& model() const { return evaluator_->model(); }
   bool has_inner_edges() const { return !crossings_.empty(); }
-  // True where all faces are planes that lean against each other: facets of one surface, whose
-  // edges mean nothing.
-  bool faceted() const;
+  // True where all faces are planes that lean against each other, by no more than the rule's angle:
+  // facets of one surface, whose edges mean nothing.
+  bool faceted() const { return faceted_; }
   // The edges between two faces of the patch over which it continues, each once, sorted.
   std::vector<EdgeId> inner_edges() const;
 
@@ -55,7 +54,8 @@ class PatchSurface {
     std::vector<double> params;
     std::vector<Vec3> points;  // of the edge at these
   };
-  void find_crossings(double feature_angle);
+  void find_crossings(const FeatureRule& rule);
+  bool has_facets(const std::vector<EdgeId>& smooth) const;
   double nearest(const Crossing& crossing, const Vec3& xyz, double& t);
   bool cross(const Crossing& crossing, const Vec3& xyz, double t, SurfacePoint& foot);
   bool lands_inside(const SurfacePoint& from, double length, Vec3& heading, SurfacePoint& to);
@@ -65,6 +65,7 @@ class PatchSurface {
   Evaluator* evaluator_;
   std::vector<FaceId> faces_;
   std::vector<Crossing> crossings_;
+  bool faceted_ = false;
 };
 
 }  // namespace advlayers

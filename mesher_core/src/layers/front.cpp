@@ -110,6 +110,19 @@ Vec3 rotated(const Vec3& direction, const Vec3& normal, double angle) {
   return std::cos(angle) * direction + std::sin(angle) * normal.cross(direction);
 }
 
+namespace {
+
+// The boundary returns along the way that it came: round-off alone would say whether the patch
+// takes up nothing there or all about it.
+bool at_slit_end(const SurfaceMesh& mesh, const Front& front, int i) {
+  const FrontNode& node = front[i];
+  if (node.prev < 0 || node.next < 0) return false;
+  const NodeId before = mesh.data(front[node.prev].vertex).node;
+  return before.valid() && before == mesh.data(front[node.next].vertex).node;
+}
+
+}  // namespace
+
 NodeShape node_shape(const SurfaceMesh& mesh, const Front& front, int i) {
   const FrontNode& node = front[i];
   NodeShape shape;
@@ -130,9 +143,9 @@ NodeShape node_shape(const SurfaceMesh& mesh, const Front& front, int i) {
     shape.to_prev = -shape.to_next;
     shape.length_prev = shape.length_next;
   }
-  shape.angle = turn_angle(shape.to_next, shape.to_prev, shape.normal);
-  // A needle's two sides may look like a full turn; a front edge that returns on itself is concave
-  // 0.
+  shape.angle = at_slit_end(mesh, front, i)
+                    ? 2.0 * M_PI
+                    : turn_angle(shape.to_next, shape.to_prev, shape.normal);
   shape.inward = rotated(shape.to_next, shape.normal, 0.5 * shape.angle);
   return shape;
 }

@@ -81,8 +81,12 @@ bool FrontIndex::nearest_ahead(int node, const NodeShape& shape, double reach, H
     const Vec3 along = mesh_->position(edge.to) - mesh_->position(edge.from);
     return std::abs(along.dot(direction)) > kAlongCosine * along.norm();
   };
+  // The far side of a slit has vertices of its own on the same nodes.
   const auto joined = [&](VertexH v) {
-    return std::find(near.begin(), near.end(), v) != near.end();
+    const NodeId own = mesh_->data(v).node;
+    return std::any_of(near.begin(), near.end(), [&](VertexH other) {
+      return other == v || (own.valid() && other.valid() && mesh_->data(other).node == own);
+    });
   };
   const Vec3& p = mesh_->position(near[0]);
   const Vec3 spread = Vec3::Constant(reach);

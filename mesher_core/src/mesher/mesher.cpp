@@ -191,7 +191,8 @@ void Mesher::Impl::report_idle_walls(std::vector<Diagnostic>& diagnostics) const
     if (bounds) continue;
     Diagnostic diagnostic;
     diagnostic.code = "wall-inside";
-    diagnostic.text = edge_name(edge) + " bounds no meshed patch: no layers grow from it";
+    diagnostic.text = edge_name(edge) + " bounds no meshed patch, and no layers grow from it; " +
+                      "listed in boundary, it bounds its faces";
     diagnostics.push_back(std::move(diagnostic));
   }
 }

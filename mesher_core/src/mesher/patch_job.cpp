@@ -49,7 +49,7 @@ PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
       faces_(std::move(faces)),
       settings_(&settings),
       evaluator_(model),
-      surface_(evaluator_, faces_, settings.feature_angle) {
+      surface_(evaluator_, faces_, feature_rule(settings)) {
   for (const FaceId face : faces_) area_ += model.face(face).area;
   report_.patch = id;
   report_.faces = faces_;

@@ -5,7 +5,7 @@
 #include <map>
 #include <unordered_set>
 
-#include "boundary/patch_edges.h"
+#include "geometry/patch_edges.h"
 #include "sizing/size_field.h"
 
 namespace advlayers {
@@ -16,7 +16,7 @@ using EdgeSet = std::unordered_set<EdgeId>;
 // Every edge that bounds the patch: of all faces, but degenerate and inner ones.
 EdgeSet boundary_edges(Evaluator& evaluator, const Settings& settings,
                        const std::vector<FaceId>& faces) {
-  const auto inner = inner_edges(evaluator, faces, settings.feature_angle);
+  const auto inner = inner_edges(evaluator, faces, feature_rule(settings));
   EdgeSet edges;
   for (const FaceId face : faces) {
     for (const auto& loop : evaluator.model().face(face).loops) {
@@ -93,7 +93,7 @@ std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings&
     return face;
   };
   Evaluator evaluator(model);
-  for (const EdgeId edge : inner_edges(evaluator, sound, settings.feature_angle)) {
+  for (const EdgeId edge : inner_edges(evaluator, sound, feature_rule(settings))) {
     const auto& sides = model.edge(edge).faces;
     if (sides.size() != 2) continue;
     const auto [first, second] = std::minmax({leader_of(sides[0]), leader_of(sides[1])});

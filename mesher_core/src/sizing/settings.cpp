@@ -19,7 +19,8 @@ constexpr int kMostSegments = 1000000;
 constexpr double kMostCluster = 1e6;
 constexpr double kLeastHeight = 1e-12;  // of the box diagonal
 constexpr double kLargestAspect = 1e8;
-constexpr double kMostElements = 1e8;  // some 50 GB of mesh
+constexpr double kSharpestSmooth = 70.0;  // [deg] elements can be cut along the edge below it
+constexpr double kMostElements = 1e8;     // some 50 GB of mesh
 
 [[noreturn]] void refuse(const std::string& name, const std::string& rule, double value,
                          const std::string& where) {
@@ -192,7 +193,8 @@ void check_conditions(const Settings& settings, const Model& model) {
     if (fresh || it->second == list) return;
     throw InvalidInput(edge_name(e) + " is in both " + it->second + " and " + list);
   };
-  static constexpr const char *kWalls = "walls", *kMatch = "match", *kOff = "off";
+  static constexpr const char *kWalls = "walls", *kMatch = "match", *kOff = "off",
+                              *kSmooth = "smooth";
   for (const WallSpec& wall : settings.walls) {
     check_wall(wall, model);
     spacing_of(wall, settings);  // refuses what contradicts itself
@@ -205,6 +207,43 @@ void check_conditions(const Settings& settings, const Model& model) {
   for (const EdgeId e : settings.off_edges) {
     check_edge(e, model, kOff);
     claim(e, kOff);
+  }
+  for (const EdgeId e : settings.smooth_edges) {
+    check_edge(e, model, kSmooth);
+    claim(e, kSmooth);
+  }
+}
+
+// Edges that were decided by hand: what is to lie inside a patch must be able to.
+void check_patch_edges(const Settings& settings, const Model& model) {
+  const FeatureRule rule = feature_rule(settings);
+  for (const EdgeId e : rule.boundary) {
+    check_edge(e, model, "boundary");
+    if (model.edge(e).degenerate) {
+      throw InvalidInput("boundary: " + edge_name(e) + " is a pole without length");
+    }
+    if (std::binary_search(rule.smooth.begin(), rule.smooth.end(), e)) {
+      throw InvalidInput(edge_name(e) + " is in both boundary and smooth");
+    }
+  }
+  Evaluator evaluator(model);
+  for (const EdgeId e : rule.smooth) {
+    const auto refuse_edge = [e](const std::string& why) {
+      throw InvalidInput("smooth: " + edge_name(e) + " must bound its patch: " + why);
+    };
+    if (const std::string why = reason_to_bound(evaluator, e); !why.empty()) refuse_edge(why);
+    const double angle = model.dihedral_angle(e) * 180.0 / M_PI;
+    if (angle > kSharpestSmooth) {
+      std::ostringstream text;
+      text << "its faces meet at " << std::lround(angle) << " degrees, and " << kSharpestSmooth
+           << " is the most that layers run over";
+      refuse_edge(text.str());
+    }
+    for (const FaceId face : model.edge(e).faces) {
+      const auto& meshed = settings.faces;
+      if (meshed.empty() || std::find(meshed.begin(), meshed.end(), face) != meshed.end()) continue;
+      refuse_edge(face_name(face) + " is not among the faces to mesh");
+    }
   }
 }
 
@@ -230,6 +269,15 @@ void check_amount(const Settings& settings, const Model& model) {
 
 }  // namespace
 
+FeatureRule feature_rule(const Settings& settings) {
+  FeatureRule rule(settings.feature_angle);
+  rule.boundary = settings.boundary_edges;
+  rule.smooth = settings.smooth_edges;
+  std::sort(rule.boundary.begin(), rule.boundary.end());
+  std::sort(rule.smooth.begin(), rule.smooth.end());
+  return rule;
+}
+
 void check(const Settings& settings, const Model& model) {
   check_positive("size", settings.size);
   check_height("first_height", settings.first_height, model);
@@ -244,6 +292,7 @@ void check(const Settings& settings, const Model& model) {
   check_amount(settings, model);
   check_conditions(settings, model);
   check_walls_apart(settings);
+  check_patch_edges(settings, model);
 }
 
 }  // namespace advlayers

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/types.h"
+#include "geometry/patch_edges.h"
 
 namespace advlayers {
 
@@ -58,9 +59,13 @@ struct Settings {
   bool walls_all = true;
   std::vector<WallSpec> walls;
   std::vector<EdgeId> match_edges, off_edges;
-  std::vector<FaceId> faces;  // empty: all
-  int threads = 0;            // 0: as many as there are
+  std::vector<EdgeId> boundary_edges;  // bound their faces' patches, however smooth they are
+  std::vector<EdgeId> smooth_edges;    // lie inside a patch, however sharp they are
+  std::vector<FaceId> faces;           // empty: all
+  int threads = 0;                     // 0: as many as there are
 };
+
+FeatureRule feature_rule(const Settings& settings);
 
 // Throws InvalidInput naming the setting and its value.
 void check(const Settings& settings, const Model& model);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "boundary/patch_edges.h"
+#include "geometry/patch_edges.h"
 #include "triangulate/check_deviation.h"
 #include "triangulate/constrained_delaunay.h"
 #include "triangulate/fill_sheet.h"
@@ -126,7 +126,7 @@ class BoundaryTriangulation {
 Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
                           const Discretization& boundary, const Settings& settings,
                           const CancelFlag& cancel) {
-  const std::vector<EdgeId> inner = inner_edges(evaluator, surface.faces(), settings.feature_angle);
+  const std::vector<EdgeId> inner = inner_edges(evaluator, surface.faces(), feature_rule(settings));
   std::vector<LiftedTriangulation> sheets;
   for (const FaceId face : surface.faces()) {
     FaceSheet sheet = lay_out_face(evaluator, boundary, face, inner);

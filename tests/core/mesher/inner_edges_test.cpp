@@ -2,16 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/shapes.h"
@@ -85,6 +91,142 @@ TEST_P(SplitCylinder, HasTheFiguresOfTheWholeOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InFaces, SplitCylinder, testing::Values(2, 3, 7));
+
+std::vector<EdgeId> lines_of(const Model& model) {
+  std::vector<EdgeId> lines;
+  for (std::size_t e = 0; e < model.edges().size(); ++e) {
+    if (model.edges()[e].start != model.edges()[e].end && model.edges()[e].faces.size() == 2) {
+      lines.emplace_back(e);
+    }
+  }
+  return lines;
+}
+
+// Layers of the asked height stand on both sides of the edge, on every node of it.
+void expect_layers_on_both_sides(const MeshResult& mesh, EdgeId edge) {
+  const auto& segments = mesh.edge_segments[edge.index()];
+  ASSERT_FALSE(segments.empty());
+  for (const auto& [a, b] : segments) {
+    int beside = 0;
+    for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
+      const auto& quad = mesh.quads[q];
+      const bool has_both = std::count(quad.begin(), quad.end(), a) > 0 &&
+                            std::count(quad.begin(), quad.end(), b) > 0;
+      beside += has_both && mesh.quad_layer[q] == 1;
+    }
+    EXPECT_EQ(beside, 2) << a << " - " << b;
+  }
+}
+
+TEST(EdgesByHand, ABoundaryPartsFacesThatMeetSmoothly) {
+  const Model model = model_of(split_cylinder(3));
+  Settings settings = settings_of(1.0);
+  settings.boundary_edges = lines_of(model);
+  ASSERT_EQ(settings.boundary_edges.size(), 3u);
+  settings.first_height = 0.2;
+  const MeshResult mesh = mesh_of(model, settings);
+  EXPECT_EQ(mesh.patches.size(), 3u);
+  EXPECT_EQ(mesh.figures.inverted, 0);
+  for (const EdgeId edge : settings.boundary_edges) expect_layers_on_both_sides(mesh, edge);
+}
+
+TEST(EdgesByHand, ASmoothEdgeJoinsFacesAndLeavesTheOthersApart) {
+  const Model model = model_of(split_cylinder(3));
+  Settings settings = settings_of(1.0);
+  settings.feature_angle = 0.0;
+  settings.smooth_edges = lines_of(model);
+  const MeshResult joined = mesh_of(model, settings);
+  EXPECT_EQ(joined.patches.size(), 1u);
+  settings.smooth_edges.resize(1);
+  EXPECT_EQ(mesh_of(model, settings).patches.size(), 2u);
+  settings.smooth_edges.clear();
+  settings.feature_angle = 20.0;
+  EXPECT_EQ(mesh_of(model, settings).nodes, joined.nodes);
+}
+
+// Two squares that lean against each other by the angle [deg].
+TopoDS_Shape roof(double angle) {
+  BRepBuilderAPI_MakeWire wire;
+  const double a = angle * M_PI / 180.0;
+  const gp_Pnt ends[3] = {{-8, 0, 0}, {0, 0, 0}, {8 * std::cos(a), 0, 8 * std::sin(a)}};
+  for (int k = 0; k < 2; ++k) wire.Add(BRepBuilderAPI_MakeEdge(ends[k], ends[k + 1]).Edge());
+  return BRepPrimAPI_MakePrism(wire.Wire(), gp_Vec(0, 8, 0)).Shape();
+}
+
+class Roof : public testing::TestWithParam<double> {};
+
+TEST_P(Roof, IsMeshedAcrossItsRidgeWithTheHeightsOfAFlatOne) {
+  const Model model = model_of(roof(GetParam()));
+  Settings settings = settings_of(0.8);
+  settings.feature_angle = 0.0;
+  settings.smooth_edges = lines_of(model);
+  ASSERT_EQ(settings.smooth_edges.size(), 1u);
+  const MeshResult mesh = mesh_of(model, settings);
+  ASSERT_EQ(mesh.patches.size(), 1u);
+  EXPECT_EQ(mesh.figures.inverted, 0);
+  EXPECT_GT(mesh.figures.quad_percent, 97.0);
+  expect_on_own_faces(model, mesh, 1e-6);
+  for (const WallReport& wall : mesh.walls) {
+    EXPECT_NEAR(wall.achieved_min, settings.first_height, 0.02 * settings.first_height);
+    EXPECT_NEAR(wall.achieved_max, settings.first_height, 0.02 * settings.first_height);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, Roof, testing::Values(15.0, 45.0, 69.0));
+
+// The patch lies on both sides of the edge: it still goes on across the other one.
+TEST(EdgesByHand, LayersGrowOnBothSidesOfACutThroughAPatch) {
+  const Model model = model_of(split_cylinder(2));
+  Settings settings = settings_of(0.6);
+  settings.boundary_edges = {lines_of(model).front()};
+  const MeshResult mesh = mesh_of(model, settings);
+  EXPECT_EQ(mesh.patches.size(), 1u);
+  EXPECT_EQ(mesh.figures.inverted, 0);
+  EXPECT_GT(mesh.figures.quad_percent, 97.0);
+  expect_layers_on_both_sides(mesh, settings.boundary_edges[0]);
+}
+
+TEST(EdgesByHand, TheSeamOfAClosedFaceCanBeAWall) {
+  const Model model = model_of(split_cylinder(1));
+  Settings settings = settings_of(0.6);
+  for (const CoEdge& coedge : model.faces()[0].loops[0]) {
+    if (coedge.seam) settings.boundary_edges.assign(1, coedge.edge);
+  }
+  ASSERT_EQ(settings.boundary_edges.size(), 1u);
+  const MeshResult mesh = mesh_of(model, settings);
+  EXPECT_EQ(mesh.figures.inverted, 0);
+  EXPECT_GT(mesh.figures.quad_percent, 97.0);
+  expect_layers_on_both_sides(mesh, settings.boundary_edges[0]);
+}
+
+// Four squares about a point; the edge between two of them ends there, inside the patch.
+TEST(EdgesByHand, LayersFanOutAboutTheEndOfASlit) {
+  BRep_Builder builder;
+  TopoDS_Compound squares;
+  builder.MakeCompound(squares);
+  for (const double x : {-8.0, 0.0}) {
+    for (const double y : {-8.0, 0.0}) {
+      const gp_Pln plane(gp_Pnt(x, y, 0), gp_Dir(0, 0, 1));
+      builder.Add(squares, BRepBuilderAPI_MakeFace(plane, 0, 8, 0, 8).Face());
+    }
+  }
+  BRepBuilderAPI_Sewing sewing;
+  sewing.Add(squares);
+  sewing.Perform();
+  const Model model = model_of(sewing.SewedShape());
+  Settings settings = settings_of(0.8);
+  const std::vector<EdgeId> lines = lines_of(model);
+  ASSERT_EQ(lines.size(), 4u);
+  settings.boundary_edges = {lines[0]};
+  const MeshResult mesh = mesh_of(model, settings);
+  EXPECT_EQ(mesh.patches.size(), 1u);
+  EXPECT_EQ(mesh.figures.inverted, 0);
+  EXPECT_GT(mesh.patches[0].events.count("fan"), 0u);
+  EXPECT_GT(mesh.figures.quad_percent, 97.0);
+  for (const WallReport& wall : mesh.walls) {
+    EXPECT_NEAR(wall.achieved_max, settings.first_height, 0.02 * settings.first_height);
+  }
+}
 
 TEST(InnerEdges, FilletedBoxIsOnePatchOnWholeFaces) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 8, 6).Shape();

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/shapes.h"
@@ -131,6 +132,36 @@ TEST(Settings, AnEdgeHasOneConditionOnly) {
   s = good();
   s.match_edges = s.off_edges = {EdgeId(1)};
   EXPECT_EQ(refusal(s), "Edge2 is in both match and off");
+}
+
+TEST(Settings, AnEdgeIsNotBothInsideItsPatchAndABoundary) {
+  Settings s = good();
+  s.faces = {FaceId(0), FaceId(1)};
+  s.smooth_edges = {EdgeId(4)};
+  s.boundary_edges = {EdgeId(4)};
+  EXPECT_EQ(refusal(s), "Edge5 is in both boundary and smooth");
+  s.boundary_edges = {};
+  s.walls = {{{EdgeId(4)}, {}, {}, {}, {}}};
+  EXPECT_EQ(refusal(s), "Edge5 is in both walls and smooth");
+  s.walls = {};
+  s.boundary_edges = {EdgeId(12)};
+  EXPECT_EQ(refusal(s), "boundary: there is no Edge13, the model has 12 edges");
+}
+
+TEST(Settings, ASmoothEdgeMustHaveTwoFacesThatMeetThere) {
+  Settings s = good();
+  s.smooth_edges = {EdgeId(0)};
+  EXPECT_EQ(refusal(s),
+            "smooth: Edge1 must bound its patch: its faces meet at 90 degrees, and 70 is the most "
+            "that layers run over");
+  const Model round = test::model_of(BRepPrimAPI_MakeSphere(3).Shape());
+  for (std::size_t e = 0; e < round.edges().size(); ++e) {
+    s.smooth_edges = {EdgeId(e)};
+    EXPECT_EQ(refusal(s, round).empty(), !round.edges()[e].degenerate) << edge_name(EdgeId(e));
+    s.boundary_edges = std::exchange(s.smooth_edges, {});
+    EXPECT_EQ(refusal(s, round).empty(), !round.edges()[e].degenerate) << edge_name(EdgeId(e));
+    s.boundary_edges = {};
+  }
 }
 
 TEST(Settings, TwoEntriesOfAWallKeepToFacesOfTheirOwn) {

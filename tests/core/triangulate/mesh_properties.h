@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "boundary/patch_edges.h"
+#include "geometry/patch_edges.h"
 #include "mesh/validate.h"
 #include "triangulate/triangulate.h"
 

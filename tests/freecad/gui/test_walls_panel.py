@@ -90,6 +90,10 @@ def test_conditions_in_the_table(mesh, box):
     assert [wall.Condition for wall in mesh.WallList] == ["Wall", "Off"]
     table().cellWidget(1, 0).setCurrentIndex(1)
     assert mesh.WallList[1].Condition == "Match"
+    select((box, "Edge7"))
+    click("AdvLayersAddBoundary")
+    assert mesh.WallList[2].Condition == "Boundary"
+    click("AdvLayersRemoveControl")
     table().item(2, 1).setText("inlet")
     assert mesh.GroupList[0].Label == "inlet"
     table().selectRow(0)

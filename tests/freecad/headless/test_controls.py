@@ -67,6 +67,29 @@ def test_match_and_off(mesh):
     assert len(layer_mesh.settings_of(mesh)["walls"]) == 2
 
 
+def test_edges_that_part_faces_or_do_not(mesh):
+    advlayers.make_wall(mesh, ["Edge1"], condition="boundary")
+    smooth = advlayers.make_wall(mesh, ["Edge3"], condition="Smooth")
+    settings = layer_mesh.settings_of(mesh)
+    assert settings["boundary"] == ("Edge1",) and settings["smooth"] == ("Edge3",)
+    assert settings["walls"] == "all"
+    with pytest.raises(ValueError, match="smooth: Edge3 .* at 90 degrees"):
+        advlayers.update(mesh)
+    mesh.Document.removeObject(smooth.Name)
+    advlayers.update(mesh)
+    again = advlayers.make_layer_mesh(mesh.Part, mesh_now=False, smooth=["Edge2"])
+    assert layer_mesh.settings_of(again)["smooth"] == ("Edge2",)
+
+
+def test_a_wall_of_an_older_file_gets_the_later_conditions(mesh):
+    wall = advlayers.make_wall(mesh, ["Edge1"], condition="Off")
+    wall.Condition = ["Wall", "Match", "Off"]
+    wall.Condition = "Off"
+    wall.Proxy.onDocumentRestored(wall)
+    assert wall.Condition == "Off"
+    wall.Condition = "Smooth"
+
+
 def test_groups_carry_their_label(mesh):
     group = advlayers.make_group(mesh, "inlet", ["Face1", "Edge5"])
     other = advlayers.make_layer_mesh(mesh.Part, mesh_now=False, size=5,
