@@ -39,6 +39,7 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
   const Corner w = corner(mesh, mesh.to(h));
   const Corner old = corner(mesh, v);
   double allowed = std::cos(limits.deviation * kDegree);
+  double allowed_at_corner = std::cos(limits.at_corner * kDegree), at_corner = 1.0;
   double least = INFINITY, largest = 0.0, deviation = 1.0, fold = 1.0;
   worst_angle = M_PI;
   Vec3 last = Vec3::Zero();
@@ -46,6 +47,7 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
     const Corner p = corner(mesh, mesh.to(o));
     const Corner q = corner(mesh, mesh.to(mesh.next(o)));
     allowed = std::min(allowed, deviation_cosine(old, p, q));
+    allowed_at_corner = std::min(allowed_at_corner, corner_cosine(old, p, q));
     if (mesh.to(mesh.next(o)) == mesh.to(h)) break;
     worst_angle = std::min(worst_angle, min_angle(w, p, q));
     if (worst_angle <= 0.0) return Veto::kInverts;
@@ -53,10 +55,12 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
     least = std::min(least, area2);
     largest = std::max(largest, area2);
     deviation = std::min(deviation, deviation_cosine(w, p, q));
+    at_corner = std::min(at_corner, corner_cosine(w, p, q));
     const Vec3 normal = (p.xyz - w.xyz).cross(q.xyz - w.xyz);
     if (last != Vec3::Zero()) fold = std::min(fold, dihedral_cosine(last, normal));
     last = normal;
   }
+  if (at_corner < allowed_at_corner - 1e-12) return Veto::kLeavesSurface;
   if (removal == Removal::kForced) return Veto::kNone;
   if (largest > limits.area_ratio * least) return Veto::kAreaRatio;
   if (deviation < allowed - 1e-12) return Veto::kLeavesSurface;
@@ -119,6 +123,11 @@ Veto quality_veto(const SurfaceMesh& mesh, HalfedgeH h, const ReconnectLimits& l
   const double worst = std::min(deviation_cosine(a, b, c), deviation_cosine(b, a, d));
   const double made = std::min(deviation_cosine(d, c, a), deviation_cosine(c, d, b));
   if (made < std::min(worst, std::cos(limits.deviation * kDegree))) return Veto::kLeavesSurface;
+  const double worst_corner = std::min(corner_cosine(a, b, c), corner_cosine(b, a, d));
+  const double made_corner = std::min(corner_cosine(d, c, a), corner_cosine(c, d, b));
+  if (made_corner < std::min(worst_corner, std::cos(limits.at_corner * kDegree))) {
+    return Veto::kLeavesSurface;
+  }
   return Veto::kNone;
 }
 

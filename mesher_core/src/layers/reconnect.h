@@ -16,6 +16,7 @@ inline void count(VetoTally& tally, Veto veto) { ++tally[static_cast<std::size_t
 // Thresholds of the paper, II.D and II.F.
 struct ReconnectLimits {
   double deviation = 30.0;  // [deg] a triangle's normal against the surface's
+  double at_corner = 65.0;  // [deg] against the surface's at a corner
   double dihedral = 40.0;   // [deg] between neighbours made by a collapse
   double area_ratio = 1e8;  // between triangles made by a collapse
 };
@@ -32,7 +33,8 @@ Veto orientation_veto(const SurfaceMesh& mesh, HalfedgeH h);
 // the limit or than before.
 Veto quality_veto(const SurfaceMesh& mesh, HalfedgeH h, const ReconnectLimits& limits);
 
-// How much a removal may cost: kGuarded keeps the paper's limits, kForced only the orientation.
+// How much a removal may cost: kGuarded keeps the paper's limits, kForced only the
+// orientation and the surface at the corners.
 enum class Removal { kGuarded, kForced };
 
 // Removes a core vertex by the collapse onto the neighbour that gives the best minimum angle; a

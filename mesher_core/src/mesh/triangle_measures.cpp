@@ -36,6 +36,13 @@ double deviation_cosine(const Corner& a, const Corner& b, const Corner& c) {
   return scale > 0.0 ? cross.dot(normal) / scale : 1.0;
 }
 
+double corner_cosine(const Corner& a, const Corner& b, const Corner& c) {
+  const Vec3 cross = (b.xyz - a.xyz).cross(c.xyz - a.xyz);
+  const double scale = cross.norm();
+  if (!(scale > 0.0)) return 1.0;
+  return std::min({cross.dot(a.normal), cross.dot(b.normal), cross.dot(c.normal)}) / scale;
+}
+
 double turn_angle(const Vec3& from, const Vec3& to, const Vec3& normal) {
   const double angle =
       std::atan2(from.cross(to).dot(normal), from.dot(to) - from.dot(normal) * to.dot(normal));

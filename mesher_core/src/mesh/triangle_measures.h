@@ -26,6 +26,10 @@ double min_angle(const Corner& a, const Corner& b, const Corner& c);
 // Fig. 3, with the corners standing for the projected centroid).
 double deviation_cosine(const Corner& a, const Corner& b, const Corner& c);
 
+// Cosine of the largest angle between the triangle's normal and one of its corners': a triangle
+// that spans a bend may be upright on the mean, but not at its corners.
+double corner_cosine(const Corner& a, const Corner& b, const Corner& c);
+
 // The angle [rad] in 0 … 2 pi from direction `from` counter-clockwise to `to` about `normal`.
 double turn_angle(const Vec3& from, const Vec3& to, const Vec3& normal);
 

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "boundary/discretization.h"
 #include "boundary/halve_edges.h"
+#include "mesher/doubled_edges.h"
 #include "mesher/merge.h"
 #include "mesher/patch_job.h"
 #include "mesher/patch_plan.h"
@@ -199,10 +200,9 @@ void Mesher::Impl::report_idle_walls(std::vector<Diagnostic>& diagnostics) const
 
 MeshResult Mesher::Impl::finish() {
   const Stopwatch watch(seconds["core"]);
-  for_each_job([this](PatchJob& job, std::size_t) {
-    job.finish(boundary, cancel);
-    job.measure(cancel);
-  });
+  for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
+  part_doubled_edges(jobs, boundary, cancel);
+  for_each_job([this](PatchJob& job, std::size_t) { job.measure(cancel); });
   MeshResult result = merge(jobs, boundary, cancel);
   FigureCounts counts;
   for (const auto& job : jobs) {

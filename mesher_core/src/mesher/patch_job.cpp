@@ -15,6 +15,7 @@
 #include "quality/imprint_edges.h"
 #include "quality/inversion.h"
 #include "quality/recombine.h"
+#include "quality/split_inside.h"
 #include "triangulate/triangulate.h"
 
 namespace advlayers {
@@ -218,6 +219,13 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
   if (done) return;
   mesh_ = before;
   face_of_.clear();
+}
+
+void PatchJob::split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary) {
+  guard("edges-not-split", [&] {
+    for (const HalfedgeH h : edges) split_inside(mesh_, surface_, h);
+    if (faces_.size() > 1) assign_faces(boundary);
+  });
 }
 
 void PatchJob::measure(const CancelFlag& cancel) {

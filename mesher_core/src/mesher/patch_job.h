@@ -30,6 +30,8 @@ class PatchJob {
   std::vector<EdgeId> triangulate(const Discretization& boundary, const CancelFlag& cancel);
   bool advance(LayerReport& report, const CancelFlag& cancel);  // false: no front is left
   void finish(const Discretization& boundary, const CancelFlag& cancel);
+  // Splits edges inside the finished patch; between finish() and measure().
+  void split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary);
   void measure(const CancelFlag& cancel);
 
   bool meshed() const { return meshed_; }

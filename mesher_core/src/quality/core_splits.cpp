@@ -15,6 +15,7 @@ constexpr double kBentCosine = 0.7660444431;  // of 40 degrees
 constexpr int kMostHalvings = 5;
 // A triangle that a split makes may not be worse than this, nor than the one it replaces.
 constexpr double kLeastSine = 0.17;
+constexpr double kLeastGain = 0.25;  // of the bend's 1 - cosine
 
 double bend_cosine(const SurfaceMesh& mesh, HalfedgeH h) {
   return mesh.data(mesh.from(h)).normal.dot(mesh.data(mesh.to(h)).normal);
@@ -37,7 +38,8 @@ bool split_helps(const SurfaceMesh& mesh, HalfedgeH h, const VertexData& middle)
 }
 
 // The point half-way around the bend from one end to the other: the foot of the top of a circular
-// arc over the edge. The foot of the chord's midpoint may lie back on either side of the bend.
+// arc over the edge, as the foot of the chord's middle may lie back on either side of the bend; or
+// that foot, where the surface twists about the edge.
 bool find_middle(const SurfaceMesh& mesh, PatchSurface& surface, HalfedgeH h, VertexData& middle) {
   const VertexData &a = mesh.data(mesh.from(h)), &b = mesh.data(mesh.to(h));
   const Vec3 chord = b.point.xyz - a.point.xyz;
@@ -47,14 +49,21 @@ bool find_middle(const SurfaceMesh& mesh, PatchSurface& surface, HalfedgeH h, Ve
   // Where the surface bends inward between the ends, so does the arc.
   const double side = a.normal.dot(chord) < b.normal.dot(chord) ? 1.0 : -1.0;
   const double rise = side * 0.5 * chord.norm() * std::tan(0.25 * turn);
-  const Vec3 top = a.point.xyz + 0.5 * chord + rise * outward.normalized();
-  for (const VertexData* seed : {&a, &b}) {
-    if (!surface.project(top, seed->point, middle.point)) continue;
-    middle.normal = surface.normal(middle.point);
-    const double after = std::min(middle.normal.dot(a.normal), middle.normal.dot(b.normal));
-    if (after > before + 0.25 * (1.0 - before)) return true;
+  const Vec3 half = a.point.xyz + 0.5 * chord;
+  double best = before + kLeastGain * (1.0 - before);
+  for (const Vec3& target : {Vec3(half + rise * outward.normalized()), half}) {
+    for (const VertexData* seed : {&a, &b}) {
+      VertexData found;
+      if (!surface.project(target, seed->point, found.point)) continue;
+      found.normal = surface.normal(found.point);
+      const double after = std::min(found.normal.dot(a.normal), found.normal.dot(b.normal));
+      if (after <= best) continue;
+      best = after;
+      middle.point = found.point;
+      middle.normal = found.normal;
+    }
   }
-  return false;
+  return best > before + kLeastGain * (1.0 - before);
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ constexpr int kPasses = 6;
 // The corners' normals decide where all agree with the element by this cosine; the projection of
 // the centroid is spared then.
 constexpr double kClearlyUpright = 0.3;
+// An element that leans more than 75 degrees from the surface makes a fold with its neighbours.
+constexpr double kSteep = 0.26;
+constexpr int kTurnedOver = 4, kFolded = 2;
 // How far a vertex is moved towards a neighbour or their mean.
 constexpr std::array<double, 5> kShares{0.05, 0.15, 0.3, 0.5, 0.75};
 
@@ -46,18 +49,20 @@ Vec3 area_of(const SurfaceMesh& mesh, const Corners& v) {
   return (c - a).cross(mesh.position(v[v.size() - 1]) - b);
 }
 
+// The cosine between the element's normal and the surface's at the foot of its centroid, or 1 where
+// the corners' normals tell that it is upright; -1 where it has no area.
 template <class Corners>
-bool is_turned_over(const SurfaceMesh& mesh, const Corners& corners, PatchSurface& surface) {
+double uprightness(const SurfaceMesh& mesh, const Corners& corners, PatchSurface& surface) {
   const Vec3 area = area_of(mesh, corners);
   const double size = area.norm();
-  if (!(size > 0.0)) return true;
+  if (!(size > 0.0)) return -1.0;
   bool upright = true;
   Vec3 center = Vec3::Zero();
   for (const VertexH v : corners) {
     upright = upright && mesh.data(v).normal.dot(area) > kClearlyUpright * size;
     center += mesh.position(v) / static_cast<double>(corners.size());
   }
-  if (upright) return false;
+  if (upright) return 1.0;
   // Two sheets of the surface may lie close together: the nearest foot counts.
   double nearest = std::numeric_limits<double>::infinity();
   double side = 0.0;
@@ -69,7 +74,7 @@ bool is_turned_over(const SurfaceMesh& mesh, const Corners& corners, PatchSurfac
     nearest = distance;
     side = surface.normal(foot).dot(area);
   }
-  return side < 0.0;
+  return side / size;
 }
 
 // True where a corner of a quad turns back, against the surface at its corners or against the
@@ -87,30 +92,33 @@ bool has_folded_corner(const SurfaceMesh& mesh, const Corners& v) {
   return false;
 }
 
-// True for what mending is to remove.
+// What mending is to remove, by weight: an element turned over, a folded corner, a steep element.
 template <class Corners>
-bool is_faulty_shape(const SurfaceMesh& mesh, const Corners& v, PatchSurface& surface) {
-  return is_turned_over(mesh, v, surface) || (v.size() == 4 && has_folded_corner(mesh, v));
+int faults_of(const SurfaceMesh& mesh, const Corners& v, PatchSurface& surface) {
+  const double upright = uprightness(mesh, v, surface);
+  if (upright < 0.0) return kTurnedOver;
+  if (v.size() == 4 && has_folded_corner(mesh, v)) return kFolded;
+  return upright < kSteep ? 1 : 0;
 }
 
 class Mender {
  public:
   Mender(SurfaceMesh& mesh, PatchSurface& surface) : mesh_(mesh), surface_(surface) {}
-  bool is_faulty(FaceH face) { return count(face) > 0; }
-  // True where fewer elements are faulty than before.
+  bool is_faulty(FaceH face) { return faults(face) > 0; }
+  // True where the faults about the element weigh less than before.
   bool mend(FaceH face);
 
  private:
   template <class Corners>
-  int count(const Corners& corners) {
-    return is_faulty_shape(mesh_, corners, surface_) ? 1 : 0;
+  int faults(const Corners& corners) {
+    return faults_of(mesh_, corners, surface_);
   }
-  int count(FaceH face) { return count(corners_around(mesh_, face)); }
+  int faults(FaceH face) { return faults(corners_around(mesh_, face)); }
 
-  int count_about(VertexH v);
-  int count_after_collapse(HalfedgeH h);
+  int faults_about(VertexH v);
+  int faults_after_collapse(HalfedgeH h);
 
-  bool divide_quad(FaceH face, int most_faulty);
+  bool divide_quad(FaceH face, int most);
   bool flip_side(HalfedgeH h);
   bool recut_beside(HalfedgeH h);
   bool mend_by_edges(FaceH face);
@@ -123,11 +131,11 @@ class Mender {
 
 using Triangle = std::array<VertexH, 3>;
 
-bool Mender::divide_quad(FaceH face, int most_faulty) {
+bool Mender::divide_quad(FaceH face, int most) {
   const auto v = corners_around(mesh_, face);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const VertexH a = v[k], b = v[k + 1], c = v[(k + 2) % 4], d = v[(k + 3) % 4];
-    if (count(Triangle{a, b, c}) + count(Triangle{a, c, d}) > most_faulty) continue;
+    if (faults(Triangle{a, b, c}) + faults(Triangle{a, c, d}) > most) continue;
     if (mesh_.find_halfedge(a, c).valid()) continue;
     mesh_.divide(face, a);
     return true;
@@ -139,8 +147,8 @@ bool Mender::flip_side(HalfedgeH h) {
   const HalfedgeH t = SurfaceMesh::twin(h);
   const VertexH a = mesh_.from(h), b = mesh_.to(h);
   const VertexH c = mesh_.to(mesh_.next(h)), d = mesh_.to(mesh_.next(t));
-  const int before = count(mesh_.face(h)) + count(mesh_.face(t));
-  if (count(Triangle{a, d, c}) + count(Triangle{d, b, c}) >= before) return false;
+  const int before = faults(mesh_.face(h)) + faults(mesh_.face(t));
+  if (faults(Triangle{a, d, c}) + faults(Triangle{d, b, c}) >= before) return false;
   if (mesh_.curve(h).valid()) return false;
   const bool frozen = mesh_.frozen(h);
   mesh_.set_frozen(h, false);
@@ -157,10 +165,10 @@ bool Mender::recut_beside(HalfedgeH h) {
   const HalfedgeH t = SurfaceMesh::twin(h);
   if (mesh_.curve(h).valid()) return false;
   const Pentagon pentagon = pentagon_at(mesh_, h, mesh_.to(mesh_.next(h)));
-  const int before = count(mesh_.face(h)) + count(mesh_.face(t));
+  const int before = faults(mesh_.face(h)) + faults(mesh_.face(t));
   for (const auto cut : {PentagonCut::kA, PentagonCut::kB, PentagonCut::kC, PentagonCut::kD}) {
     const PentagonHalves halves = halves_of(pentagon, cut);
-    if (count(halves.triangle) + count(halves.quad) >= before) continue;
+    if (faults(halves.triangle) + faults(halves.quad) >= before) continue;
     const bool frozen = mesh_.frozen(h);
     mesh_.set_frozen(h, false);
     if (recut(mesh_, h, cut)) return true;
@@ -169,12 +177,12 @@ bool Mender::recut_beside(HalfedgeH h) {
   return false;
 }
 
-int Mender::count_about(VertexH v) {
+int Mender::faults_about(VertexH v) {
   int faulty = 0;
   const HalfedgeH first = mesh_.outgoing(v);
   HalfedgeH h = first;
   do {
-    if (!mesh_.is_border(h)) faulty += count(mesh_.face(h));
+    if (!mesh_.is_border(h)) faulty += faults(mesh_.face(h));
     h = mesh_.rotate_cw(h);
   } while (h != first);
   return faulty;
@@ -195,7 +203,7 @@ bool Mender::relocate(VertexH v) {
   for (const Vec3& xyz : beside) mean += xyz / static_cast<double>(beside.size());
   beside.push_back(mean);
 
-  int fewest = count_about(v);
+  int fewest = faults_about(v);
   VertexData best = before;
   for (const double share : kShares) {
     for (const Vec3& goal : beside) {
@@ -205,7 +213,7 @@ bool Mender::relocate(VertexH v) {
       if (!surface_.project(target, before.point, foot)) continue;
       data.point = foot;
       data.normal = surface_.normal(foot);
-      const int faulty = count_about(v);
+      const int faulty = faults_about(v);
       if (faulty >= fewest) continue;
       fewest = faulty;
       best = data;
@@ -215,14 +223,14 @@ bool Mender::relocate(VertexH v) {
   return best.point.xyz != before.point.xyz;
 }
 
-int Mender::count_after_collapse(HalfedgeH h) {
+int Mender::faults_after_collapse(HalfedgeH h) {
   const VertexH v = mesh_.from(h), onto = mesh_.to(h);
   int faulty = 0;
   for (HalfedgeH o = mesh_.rotate_cw(h); o != h; o = mesh_.rotate_cw(o)) {
     FaceCorners corners = corners_around(mesh_, mesh_.face(o));
     if (std::find(corners.begin(), corners.end(), onto) != corners.end()) continue;
     std::replace(corners.vertex.begin(), corners.vertex.end(), v, onto);
-    faulty += count(corners);
+    faulty += faults(corners);
   }
   return faulty;
 }
@@ -235,7 +243,7 @@ bool Mender::collapse(HalfedgeH h) {
   const HalfedgeH t = SurfaceMesh::twin(h);
   if (!mesh_.is_triangle(h) || !mesh_.is_triangle(t)) return false;
   if (mesh_.collapse_veto(h) != Veto::kNone) return false;
-  if (count_after_collapse(h) >= count_about(v)) return false;
+  if (faults_after_collapse(h) >= faults_about(v)) return false;
   mesh_.collapse(h);
   return true;
 }
@@ -252,12 +260,12 @@ bool Mender::mend(FaceH face) {
     h = mesh_.next(h);
   } while (h != first);
   // No better, but the next pass has more to choose from.
-  return !mesh_.is_triangle(first) && divide_quad(face, 1);
+  return !mesh_.is_triangle(first) && divide_quad(face, faults(face));
 }
 
 bool Mender::mend_by_edges(FaceH face) {
   const HalfedgeH first = mesh_.halfedge(face);
-  if (!mesh_.is_triangle(first) && divide_quad(face, 0)) return true;
+  if (!mesh_.is_triangle(first) && divide_quad(face, faults(face) - 1)) return true;
   HalfedgeH h = first;
   do {
     const HalfedgeH t = SurfaceMesh::twin(h);
@@ -275,7 +283,7 @@ bool Mender::mend_by_edges(FaceH face) {
 }  // namespace
 
 bool is_inverted(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface) {
-  return is_turned_over(mesh, corners_around(mesh, face), surface);
+  return uprightness(mesh, corners_around(mesh, face), surface) < 0.0;
 }
 
 int mend_inverted(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {

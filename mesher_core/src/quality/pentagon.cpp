@@ -29,7 +29,8 @@ bool recut(SurfaceMesh& mesh, HalfedgeH shared, PentagonCut cut) {
   const HalfedgeH inside = SurfaceMesh::twin(shared);
   const VertexH a = mesh.to(inside), b = mesh.from(inside);
   const bool from_a = cut == PentagonCut::kB || cut == PentagonCut::kD;
-  const HalfedgeH diagonal = mesh.divide(mesh.face(inside), from_a ? a : b);
+  // Right of the new half-edge lies what keeps the quad's handle: callers rely on that, too.
+  const HalfedgeH diagonal = SurfaceMesh::twin(mesh.divide(mesh.face(inside), from_a ? a : b));
   HalfedgeH seam = shared;
   if (cut == PentagonCut::kA || cut == PentagonCut::kB) {
     if (mesh.flip_veto(shared) != Veto::kNone) {

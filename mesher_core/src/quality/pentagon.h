@@ -31,8 +31,8 @@ struct PentagonHalves {
 Pentagon pentagon_at(const SurfaceMesh& mesh, HalfedgeH shared, VertexH p);
 PentagonHalves halves_of(const Pentagon& pentagon, PentagonCut cut);
 
-// Cuts the pentagon anew; `shared` and the diagonals change. Returns false, with the mesh as good
-// as before, where its topology forbids.
+// Cuts the pentagon anew; `shared` and the diagonals change. Returns false, with the mesh and its
+// handles as before, where its topology forbids.
 bool recut(SurfaceMesh& mesh, HalfedgeH shared, PentagonCut cut);
 
 }  // namespace advlayers

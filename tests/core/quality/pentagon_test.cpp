@@ -20,6 +20,7 @@ TEST(Recut, LeavesTheMeshAsItWasWhereItRefuses) {
         if (!mesh.is_triangle(h) || mesh.is_triangle(t)) continue;
         const VertexH from = mesh.from(h), to = mesh.to(h);
         const VertexH apex = mesh.to(mesh.next(h));
+        const FaceH triangle = mesh.face(h), quad = mesh.face(t);
         const int faces = mesh.face_count();
         if (recut(mesh, h, cut)) continue;
         ++refused;
@@ -28,6 +29,8 @@ TEST(Recut, LeavesTheMeshAsItWasWhereItRefuses) {
         EXPECT_EQ(mesh.to(mesh.next(h)), apex);
         EXPECT_TRUE(mesh.is_triangle(h));
         EXPECT_FALSE(mesh.is_triangle(t));
+        EXPECT_EQ(mesh.face(h), triangle);
+        EXPECT_EQ(mesh.face(t), quad);
         EXPECT_EQ(mesh.face_count(), faces);
         EXPECT_VALID(mesh);
       }

@@ -1,0 +1,19 @@
+// Edges of different patches that would be one in the merged mesh.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/cancel.h"
+#include "mesher/patch_job.h"
+
+namespace advlayers {
+
+// Two patches may each join the same two boundary nodes by an edge of its own, as across the bend
+// of an arc that they share, and so may the two sides of a slit: one edge with four elements once
+// the patches are merged. All but the first get a vertex in their middle, and so does every edge
+// inside a patch that joins neighbours on a boundary. Throws Cancelled.
+void part_doubled_edges(const std::vector<std::unique_ptr<PatchJob>>& jobs,
+                        const Discretization& boundary, const CancelFlag& cancel);
+
+}  // namespace advlayers
