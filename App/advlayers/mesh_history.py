@@ -15,6 +15,9 @@ _Key = Tuple[str, str]  # names of document and object
 
 _others: Dict[_Key, Dict[str, Any]] = {}  # id to FemMesh that the object held, oldest first
 _held: Dict[_Key, str] = {}  # the id of the mesh that the object holds
+# That mesh as it was given. FreeCAD has made a copy of it; another one would keep the window
+# waiting. Missing for a restored object.
+_given: Dict[_Key, Any] = {}
 _observers: List[Any] = []
 
 
@@ -26,6 +29,7 @@ def watch(document_object) -> None:
     key = _key(document_object)
     _others[key] = {}
     _held[key] = document_object.MeshId
+    _given.pop(key, None)
 
 
 def store(document_object, fem) -> None:
@@ -43,12 +47,15 @@ def store(document_object, fem) -> None:
 
 def _keep(document_object) -> None:
     key = _key(document_object)
-    _others[key][_held[key]] = document_object.FemMesh.copy()
+    given = _given.pop(key, None)
+    _others[key][_held[key]] = document_object.FemMesh.copy() if given is None else given
 
 
 def _give(document_object, fem, name: str) -> None:
     document_object.FemMesh = fem
     _held[_key(document_object)] = name
+    if document_object.Document.UndoMode:
+        _given[_key(document_object)] = fem
 
 
 def _key(document_object) -> _Key:
@@ -81,3 +88,4 @@ class _Observer:
     def slotDeletedDocument(self, document) -> None:
         for key in [key for key in _held if key[0] == document.Name]:
             del _held[key], _others[key]
+            _given.pop(key, None)

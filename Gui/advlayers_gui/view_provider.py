@@ -9,6 +9,7 @@ import FreeCADGui
 from advlayers.controls import children, is_control, mesh_of
 from advlayers.errors import InputError
 from advlayers.layer_mesh import LOST_REFERENCES, OUT_OF_DATE
+from advlayers.properties import HIDDEN
 from advlayers.proxy import Stateless
 from advlayers_gui.command import show_error
 from advlayers_gui.resources import icon
@@ -112,16 +113,31 @@ class ControlView(Stateless, EditedInPanel):
 def attach_to(document_object) -> None:
     """Gives the object our view provider, unless it has it."""
     view_object = document_object.ViewObject
-    if view_object is None or isinstance(view_object.Proxy, (LayerMeshView, ControlView)):
+    if view_object is None:
         return
+    if not isinstance(view_object.Proxy, (LayerMeshView, ControlView)):
+        _give_provider(document_object, view_object)
+    if not is_control(document_object):
+        _keep_all_faces(view_object)
+
+
+def _give_provider(document_object, view_object) -> None:
     if is_control(document_object):
         ControlView(view_object)
     else:
         LayerMeshView(view_object)
-        # A surface mesh has no inner faces; looking for them takes FreeCAD seconds.
-        view_object.MaxFacesShowInner = 0
         # The mesh's own edges show what was made; the shape below would hide half of it.
         view_object.ShapeColor = (0.80, 0.87, 0.95)
     # FreeCAD attaches the first provider of an object, and no later one.
     if view_object.Proxy._object is None:
         view_object.Proxy.attach(view_object)
+
+
+def _keep_all_faces(view_object) -> None:
+    """FreeCAD hides faces between two volumes; a surface mesh has none, and to look for them takes
+    seconds where layers make elements crowd. Only below a number of faces does it keep them all
+    without a look, so the number is the highest there is, and no one is to lower it."""
+    for name, value in (("MaxFacesShowInner", 2**31 - 1), ("ShowInner", True)):
+        if getattr(view_object, name) != value:
+            setattr(view_object, name, value)
+        view_object.setEditorMode(name, HIDDEN)
