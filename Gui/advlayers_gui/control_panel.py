@@ -22,7 +22,7 @@ class ControlPanel(TaskPanel):
         self._message = QtGui.QLabel()
         self._message.setObjectName("AdvLayersStatus")
         self._message.setWordWrap(True)
-        self._pick_bar = PickBar(source, self._message.setText)
+        self._pick_bar = PickBar(source, control.Proxy.KINDS, self._message.setText)
         self._editor = ControlEditor(control, source, self._pick_bar.picks, self._changed,
                                      self._message.setText)
         for part in (self._pick_bar.widget, self._editor.widget, self._message):

@@ -7,7 +7,7 @@ from typing import Callable, Iterator, List, Optional
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from advlayers import layer_mesh, mesh_data
+from advlayers import controls, layer_mesh, mesh_data
 from advlayers.element_mesh import ElementMesh
 from advlayers.errors import InputError
 from advlayers.mesh_data import MeshData, Place
@@ -122,7 +122,7 @@ class MeshPanel(TaskPanel):
         layout = QtGui.QVBoxLayout(self.form)
         self._run = RunBox(self._object, self._store,
                            _Canvas(self._scene, self._make_room), self._done, self._ended)
-        self._pick_bar = PickBar(self._object.Part, self._run.say)
+        self._pick_bar = PickBar(self._object.Part, controls.Size.KINDS, self._run.say)
         self._forms: List[SettingsForm] = []
         self._tabs = QtGui.QTabWidget()
         self._tabs.setObjectName("AdvLayersTabs")

@@ -1,7 +1,7 @@
 """What is selected in the 3D view, and buttons that select what belongs to it."""
 from __future__ import annotations
 
-from typing import Callable, List
+from typing import Callable, List, Tuple
 
 from PySide import QtGui
 
@@ -12,9 +12,12 @@ from advlayers_gui.resources import tr
 
 
 class PickBar:
-    def __init__(self, source, on_refused: Callable[[str], None]) -> None:
+    def __init__(self, source, kinds: Tuple[str, ...],
+                 on_refused: Callable[[str], None]) -> None:
         self._source, self._on_refused = source, on_refused
-        self.picks = PickSession(source, self._selection_changed, on_refused)
+        self._nothing = tr("Select faces, edges and vertices in the 3D view.") \
+            if "Vertex" in kinds else tr("Select faces and edges in the 3D view.")
+        self.picks = PickSession(source, kinds, self._selection_changed, on_refused)
         self.widget = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(self.widget)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -47,8 +50,7 @@ class PickBar:
         names = self.picks.names()
         shown = ", ".join(names[:8]) + (" …" if len(names) > 8 else "")
         self._label.setText(
-            tr("Selected: {}").format(shown) if names
-            else tr("Select faces and edges in the 3D view."))
+            tr("Selected: {}").format(shown) if names else self._nothing)
 
     def _chains(self) -> EdgeChains:
         return EdgeChains(cad_input.global_shape(self._source))

@@ -1,7 +1,7 @@
-"""Picking faces and edges of one object in the 3D view."""
+"""Picking faces, edges and vertices of one object in the 3D view."""
 from __future__ import annotations
 
-from typing import Callable, Iterable, List
+from typing import Callable, Iterable, List, Tuple
 
 import FreeCADGui
 
@@ -11,18 +11,20 @@ from advlayers_gui.resources import tr
 
 
 class PickSession:
-    """While it lasts, only faces and edges of the object can be picked; `on_refused` gets the
-    reason for anything else, `on_change` is called when the selection has changed."""
+    """While it lasts, only what is of one of the kinds ("Face", "Edge", "Vertex") and of the object
+    can be picked; `on_refused` gets the reason for anything else, `on_change` is called when the
+    selection has changed."""
 
-    def __init__(self, source, on_change: Callable[[], None],
+    def __init__(self, source, kinds: Tuple[str, ...], on_change: Callable[[], None],
                  on_refused: Callable[[str], None]) -> None:
         self._source, self._on_change, self._on_refused = source, on_change, on_refused
+        self._gate = _Gate(source, kinds, on_refused)
         self._active = False
 
     def begin(self) -> None:
         if not self._active:
             self._active = True
-            FreeCADGui.Selection.addSelectionGate(_Gate(self._source, self._on_refused))
+            FreeCADGui.Selection.addSelectionGate(self._gate)
             FreeCADGui.Selection.addObserver(self)
 
     def end(self) -> None:
@@ -42,7 +44,7 @@ class PickSession:
             return []
 
     def select(self, names: Iterable[str]) -> None:
-        """Selects faces and edges of the object, and nothing else."""
+        """Selects these of the object, and nothing else."""
         FreeCADGui.Selection.clearSelection()
         for name in names:
             FreeCADGui.Selection.addSelection(
@@ -66,22 +68,25 @@ class PickSession:
 class _Gate:
     """FreeCAD asks it before it selects, and while the pointer hovers."""
 
-    def __init__(self, source, on_refused: Callable[[str], None]) -> None:
-        self._source, self._on_refused = source, on_refused
+    def __init__(self, source, kinds: Tuple[str, ...],
+                 on_refused: Callable[[str], None]) -> None:
+        self._source, self._kinds, self._on_refused = source, kinds, on_refused
 
     def allow(self, _document, document_object, sub: str) -> bool:
-        reason = refusal(self._source, document_object, sub)
+        reason = _refusal(self._source, self._kinds, document_object, sub)
         if reason:
             self._on_refused(reason)
         return not reason
 
 
-def refusal(source, document_object, sub: str) -> str:
+def _refusal(source, kinds: Tuple[str, ...], document_object, sub: str) -> str:
     """Why a pick is of no use; empty if it is."""
     if document_object is not source and document_object not in source.OutListRecursive:
         return tr("{} is no part of {}, which is meshed").format(
             document_object.Label, source.Label)
     kind = sub.rsplit(".", 1)[-1].rstrip("0123456789")
-    if kind not in ("Face", "Edge"):
-        return tr("pick a face or an edge of {}").format(source.Label)
+    if kind not in kinds:
+        wanted = tr("pick a face, an edge or a vertex of {}") if "Vertex" in kinds \
+            else tr("pick a face or an edge of {}")
+        return wanted.format(source.Label)
     return ""

@@ -28,21 +28,55 @@ def selected_names():
             for name in entry.SubElementNames]
 
 
-def test_only_faces_and_edges_of_the_shape_can_be_picked(mesh, box):
+def test_only_what_the_panel_can_use_can_be_picked(mesh, box):
     other = box.Document.addObject("Part::Cylinder", "Other")
     box.Document.recompute()
     select((other, "Face1"))
     assert selected_names() == []
     assert "Other is no part of Box" in status()
-    select((box, "Vertex1"))
+    select((box, ""))
     assert selected_names() == []
-    assert "pick a face or an edge" in status()
-    select((box, "Edge1"), (box, "Face2"))
-    assert selected_names() == ["Edge1", "Face2"]
-    assert "Edge1, Face2" in child(QtGui.QLabel, "AdvLayersSelected").text()
+    assert "pick a face, an edge or a vertex" in status()
+    select((box, "Edge1"), (box, "Face2"), (box, "Vertex3"))
+    assert selected_names() == ["Edge1", "Face2", "Vertex3"]
+    assert "Edge1, Face2, Vertex3" in child(QtGui.QLabel, "AdvLayersSelected").text()
     press_ok()
     select((other, "Face1"))  # the gate is gone with the panel
     assert selected_names() == ["Face1"]
+    wall = advlayers.make_wall(mesh, ["Edge1"])
+    edit(wall)
+    select((box, "Vertex1"))
+    assert selected_names() == []
+    assert "pick a face or an edge" in status()
+    press_cancel()
+
+
+def test_a_size_about_a_vertex(mesh, box):
+    child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(1)
+    select((box, "Vertex3"))
+    click("AdvLayersAddWall")
+    assert "a Wall cannot hold Vertex3" in status() and mesh.WallList == []
+    click("AdvLayersAddSize")
+    assert "needed about Vertex3" in status()
+    child(QtGui.QCheckBox, "Size_size_given").setChecked(True)
+    child(QtGui.QWidget, "Size_size").setProperty("rawValue", 0.5)
+    child(QtGui.QCheckBox, "Size_radius_given").setChecked(True)
+    child(QtGui.QWidget, "Size_radius").setProperty("rawValue", 4.0)
+    mesh_until_done(mesh)
+    press_ok()
+    corner = box.Shape.Vertexes[2].Point
+    near = [length for length, middle in edge_lengths(mesh.FemMesh)
+            if (middle - corner).Length < 2.0]
+    assert max(near) < 1.0
+
+
+def edge_lengths(fem):
+    """Of every side of the elements, and their middles."""
+    nodes = fem.Nodes
+    for element in fem.Faces:
+        corners = [nodes[number] for number in fem.getElementNodes(element)]
+        for one, other in zip(corners, corners[1:] + corners[:1]):
+            yield (other - one).Length, (one + other) * 0.5
 
 
 def test_what_belongs_to_the_selection(mesh, box):
