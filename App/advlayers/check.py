@@ -1,18 +1,17 @@
-"""What is to be said about a mesh object: its references, its diagnostics, its worst elements."""
+"""What is to be said about a mesh: its references, its diagnostics, its worst elements."""
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
-from typing import Any, List, Optional, Tuple
+from typing import Any, Iterable, List, Optional, Tuple
 
 import numpy as np
 
-from advlayers import analysis, element_mesh, layer_mesh
-from advlayers.report import shortfalls
+from advlayers import analysis, element_mesh, layer_mesh, mesh_data
+from advlayers.language import tr
+from advlayers.mesh_data import POOR_QUALITY, QUALITY, MeshData
+from advlayers.report import wall_shortfalls
 
 WORST = 10  # elements that are listed
-# Better elements than this are none to list: a corner has some 25 or 155 degrees then.
-_POOR_QUALITY = 0.3
 _ORDER = ("error", "warning", "info")
 
 
@@ -21,30 +20,51 @@ class Finding:
     severity: str  # "error", "warning" or "info"
     text: str
     point: Optional[Tuple[float, float, float]] = None  # [mm], where it has a place
+    element: int = -1  # from 0, where it is about one
+    wall: int = -1  # its place among the walls of the report, where it is about one
 
 
 def check(mesh_object) -> List[Finding]:
     """The gravest first."""
+    found = of_object(mesh_object)
+    if mesh_object.FemMesh.FaceCount:
+        found += of_mesh(mesh_data.of_object(mesh_object))
+    return by_severity(found)
+
+
+def by_severity(findings: Iterable[Finding]) -> List[Finding]:
+    return sorted(findings, key=lambda finding: _ORDER.index(finding.severity))
+
+
+def of_object(mesh_object) -> List[Finding]:
+    """How the mesh object stands in its document."""
     found = [Finding("error", f"{problem.owner.Label}: {problem.text}")
              for problem in layer_mesh.reference_problems(mesh_object)]
     if mesh_object.State == layer_mesh.NOT_MESHED or not mesh_object.FemMesh.FaceCount:
-        return found + [Finding("warning", "There is no mesh yet.")]
+        return found + [Finding("warning", tr("There is no mesh yet."))]
     if mesh_object.State == layer_mesh.OUT_OF_DATE:
-        found.append(Finding("warning", "The mesh is out of date: settings or model have changed."))
+        found.append(Finding(
+            "warning", tr("The mesh is out of date: settings or model have changed.")))
     groups = {mesh_object.FemMesh.getGroupName(i) for i in mesh_object.FemMesh.Groups}
-    for name in set(analysis.constraint_groups(mesh_object)) - groups:
+    for name in sorted(set(analysis.constraint_groups(mesh_object)) - groups):
         constraint = mesh_object.Document.getObject(name.rsplit("_", 1)[0])
-        found.append(Finding("warning", f"{constraint.Label} came after the mesh and does not act "
-                                        "on it: update the mesh."))
-    if mesh_object.InvertedCount:
-        found.append(Finding("error", f"{mesh_object.InvertedCount} elements are turned over."))
-    if mesh_object.Details:
-        report = json.loads(mesh_object.Details)
-        found += [Finding("warning", entry["text"]) for entry in shortfalls(report)]
-        found += [Finding(entry["severity"], entry["text"], _place(entry["point"]))
-                  for entry in report["diagnostics"]]
-    found += _worst_elements(mesh_object)
-    return sorted(found, key=lambda finding: _ORDER.index(finding.severity))
+        found.append(Finding("warning", tr(
+            "{} came after the mesh and does not act on it: update the mesh."
+        ).format(constraint.Label)))
+    return found
+
+
+def of_mesh(data: MeshData) -> List[Finding]:
+    """What the mesh itself gives cause for."""
+    found = []
+    if data.report.get("inverted"):
+        found.append(Finding(
+            "error", tr("{} elements are turned over.").format(data.report["inverted"])))
+    for number, wall in enumerate(data.report.get("walls", ())):
+        found += [Finding("warning", text, wall=number) for text in wall_shortfalls(wall)]
+    found += [Finding(entry["severity"], entry["text"], _place(entry["point"]))
+              for entry in data.report.get("diagnostics", ())]
+    return found + _worst_elements(data)
 
 
 def summary(mesh_object) -> str:
@@ -55,20 +75,19 @@ def summary(mesh_object) -> str:
             f"{mesh_object.MinAngle.Value:.1f} to {mesh_object.MaxAngle.Value:.1f} deg")
 
 
-def _worst_elements(mesh_object) -> List[Finding]:
-    mesh = element_mesh.of_fem(mesh_object.FemMesh)
-    quality, centres = element_mesh.quality(mesh), element_mesh.centres(mesh)
-    quads, triangles = element_mesh.angles(mesh)
+def _worst_elements(data: MeshData) -> List[Finding]:
+    quality, mesh = data.field(QUALITY), data.mesh
     found = []
     for element in np.argsort(quality, kind="stable")[:WORST].tolist():
-        if quality[element] >= _POOR_QUALITY:
+        if quality[element] >= POOR_QUALITY:
             break
-        corners = quads[element] if element < len(quads) else triangles[element - len(quads)]
-        what = "Quad" if element < len(quads) else "Triangle"
-        where = f"layer {mesh.layers[element]}" if mesh.layers[element] else "the core"
-        found.append(Finding(
-            "info", f"{what} {element + 1} in {where}: angles from {corners.min():.1f} to "
-                    f"{corners.max():.1f} deg", _place(centres[element].tolist())))
+        corners = element_mesh.angles_of(mesh, element)
+        layer = int(mesh.layers[element])
+        where = tr("in layer {}").format(layer) if layer else tr("in the core")
+        text = tr("element {number} {where}: angles from {least:.1f}° to {largest:.1f}°").format(
+            number=element + 1, where=where, least=corners.min(), largest=corners.max())
+        centre = mesh.nodes[mesh.corners(element)].mean(axis=0)
+        found.append(Finding("info", text, tuple(centre.tolist()), element))
     return found
 
 

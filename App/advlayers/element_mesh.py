@@ -71,6 +71,11 @@ def angles(mesh: ElementMesh) -> Tuple[Any, Any]:
     return _corner_angles(mesh.nodes, mesh.quads), _corner_angles(mesh.nodes, mesh.triangles)
 
 
+def angles_of(mesh: ElementMesh, element: int):
+    """Corner angles [deg] of one element, counted from 0."""
+    return _corner_angles(mesh.nodes, mesh.corners(element)[np.newaxis])[0]
+
+
 def quality(mesh: ElementMesh):
     """(q + t,) from 0 (flat or turned over) to 1 (every angle is the ideal one, 90 or 60 deg)."""
     quads, triangles = angles(mesh)

@@ -41,22 +41,23 @@ def has_error(report: Mapping[str, Any]) -> bool:
 def shortfalls(report: Mapping[str, Any]) -> List[Dict[str, Any]]:
     """An error-level diagnostic for each wall that got fewer layers than asked for, or layers of
     another first height."""
+    return [{**info("shortfall", text), "severity": "error"}
+            for wall in report["walls"] for text in wall_shortfalls(wall)]
+
+
+def wall_shortfalls(wall: Mapping[str, Any]) -> List[str]:
+    """What one wall of a report has less or other than it was asked for."""
     found = []
-    for wall in report["walls"]:
-        name = f"{wall['edge']} on {wall['face']}"
-        wanted = wall["requested_layers"]
-        if isinstance(wanted, int) and wall["layers"] < wanted:
-            found.append(_shortfall(f"{name} got {wall['layers']} of {wanted} layers"))
-        achieved = wall["achieved_first_height"]
-        if achieved["max"] == 0.0:
-            found.append(_shortfall(f"{name} got no layer of a height that could be measured"))
-        elif wall["height_error"] > HEIGHT_TOLERANCE:
-            found.append(_shortfall(
-                f"{name} got first heights from {achieved['min']:.6g} to {achieved['max']:.6g} mm, "
-                f"off those asked for ({wall['first_height']:.6g} mm on average) by up to "
-                f"{100.0 * wall['height_error']:.0f} %"))
+    name = f"{wall['edge']} on {wall['face']}"
+    wanted = wall["requested_layers"]
+    if isinstance(wanted, int) and wall["layers"] < wanted:
+        found.append(f"{name} got {wall['layers']} of {wanted} layers")
+    achieved = wall["achieved_first_height"]
+    if achieved["max"] == 0.0:
+        found.append(f"{name} got no layer of a height that could be measured")
+    elif wall["height_error"] > HEIGHT_TOLERANCE:
+        found.append(
+            f"{name} got first heights from {achieved['min']:.6g} to {achieved['max']:.6g} mm, "
+            f"off those asked for ({wall['first_height']:.6g} mm on average) by up to "
+            f"{100.0 * wall['height_error']:.0f} %")
     return found
-
-
-def _shortfall(text: str) -> Dict[str, Any]:
-    return {**info("shortfall", text), "severity": "error"}

@@ -7,10 +7,10 @@ from PySide import QtGui
 
 from advlayers import controls
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.picked_names import link_value, names_on
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import ReferenceList
-from advlayers_gui.resources import tr
 from advlayers_gui.setting_fields import SettingsForm
 
 

@@ -7,10 +7,10 @@ from PySide import QtCore, QtGui
 
 from advlayers import controls
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.properties import property_name
 from advlayers_gui.control_editor import ControlEditor, references_of
 from advlayers_gui.picking import PickSession
-from advlayers_gui.resources import tr
 
 _KIND, _NAME, _ON, _VALUES = range(4)
 

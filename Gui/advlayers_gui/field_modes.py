@@ -5,6 +5,7 @@ proportion, and piece by piece.
 """
 from __future__ import annotations
 
+import contextlib
 from typing import Optional
 
 from PySide import QtCore
@@ -55,7 +56,8 @@ class FieldModes:
             self._redraw.start()
 
     def _draw_again(self) -> None:
-        self.show(self._shown)
+        with contextlib.suppress(ReferenceError):  # its document was closed meanwhile
+            self.show(self._shown)
 
 
 class FieldView:

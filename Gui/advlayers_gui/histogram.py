@@ -6,8 +6,8 @@ from typing import Any, Callable
 import numpy as np
 from PySide import QtCore, QtGui
 
+from advlayers.language import tr
 from advlayers_gui.colours import quality_scale
-from advlayers_gui.resources import tr
 
 BARS = 20
 

@@ -7,8 +7,8 @@ import FreeCAD
 import FreeCADGui
 
 from advlayers_gui import selected
+from advlayers.language import tr
 from advlayers_gui.command import Command, Transaction, do, in_code
-from advlayers_gui.resources import tr
 
 
 class LayerMesh(Command):

@@ -9,8 +9,8 @@ import FreeCADGui
 from PySide import QtGui
 
 from advlayers_gui import selected
-from advlayers_gui.command import TITLE, Command, Transaction, do, in_code
-from advlayers_gui.resources import tr
+from advlayers.language import tr
+from advlayers_gui.command import Command, Transaction, do, in_code
 
 
 class _OnMeshes(Command):
@@ -60,28 +60,22 @@ class Update(_OnMeshes):
             mesh.Document.recompute()
 
 
-class Check(_OnMeshes):
+class Check(_OnOneMesh):
     NAME = "Check"
     MENU = "Check Mesh"
-    TOOLTIP = ("Lists what is to be said about the mesh: lost references, diagnostics, worst "
-               "elements")
+    TOOLTIP = ("Opens the results of the mesh: lost references, diagnostics, worst elements; a "
+               "click leads to the place")
     KEYS = "Y, C"
 
     def run_on(self, mesh) -> None:
         from advlayers import check
 
-        findings = check.check(mesh)
-        lines = [f"{finding.severity}: {finding.text}{_at(finding.point)}" for finding in findings]
+        lines = [f"{finding.severity}: {finding.text}{_at(finding.point)}"
+                 for finding in check.check(mesh)]
         FreeCAD.Console.PrintMessage("\n".join([check.summary(mesh)] + lines) + "\n")
-        box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
-        box.setWindowTitle(TITLE)
-        grave = any(finding.severity != "info" for finding in findings)
-        box.setIcon(QtGui.QMessageBox.Warning if grave else QtGui.QMessageBox.Information)
-        box.setText(check.summary(mesh))
-        box.setInformativeText("\n".join(lines[:12]) or tr("There is nothing to complain of."))
-        if len(lines) > 12:
-            box.setDetailedText("\n".join(lines))
-        box.exec_() if hasattr(box, "exec_") else box.exec()
+        FreeCADGui.getDocument(mesh.Document.Name).setEdit(mesh.Name)
+        if mesh.ViewObject.Proxy.panel is not None:
+            mesh.ViewObject.Proxy.panel.show_results()
 
 
 def _at(point) -> str:

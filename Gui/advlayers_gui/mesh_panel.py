@@ -7,16 +7,16 @@ from typing import Callable, Iterator, List, Optional
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from advlayers import controls, layer_mesh, mesh_data
+from advlayers import check, controls, layer_mesh, mesh_data
 from advlayers.element_mesh import ElementMesh
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.mesh_data import MeshData, Place
 from advlayers_gui.control_table import ControlTable
 from advlayers_gui.field_scene import MARK_COLOUR, FieldScene, growing_pieces, markers
 from advlayers_gui.mesh_task import Canvas, Outcome
 from advlayers_gui.pick_bar import PickBar
 from advlayers_gui.reference_list import ReferenceList
-from advlayers_gui.resources import tr
 from advlayers_gui.results_page import ResultsPage
 from advlayers_gui.run_box import RunBox
 from advlayers_gui.setting_fields import SettingsForm
@@ -73,7 +73,7 @@ class MeshPanel(TaskPanel):
         self._build()
         if mesh_object.FemMesh.NodeCount:
             self._data = mesh_data.of_object(mesh_object)
-            self._results.show(self._data)
+        self._results.show(self._data, check.of_object(mesh_object))
         self._pick_bar.picks.begin()
         self._show_shape()
         self._changed()
@@ -86,6 +86,9 @@ class MeshPanel(TaskPanel):
     @property
     def meshing(self) -> bool:
         return self._run.running
+
+    def show_results(self) -> None:
+        self._tabs.setCurrentIndex(_RESULTS_TAB)
 
     # --- what FreeCAD calls -------------------------------------------------------------------
 
@@ -215,7 +218,7 @@ class MeshPanel(TaskPanel):
         self._outcome = outcome
         self._data = outcome.data
         self._results.show(self._data)
-        self._tabs.setCurrentIndex(_RESULTS_TAB)
+        self.show_results()
         self._show_mesh()
 
     def _ended(self, meshed: bool) -> None:

@@ -7,8 +7,8 @@ from PySide import QtGui
 
 from advlayers import cad_input
 from advlayers.edge_chains import EdgeChains
+from advlayers.language import tr
 from advlayers_gui.picking import PickSession
-from advlayers_gui.resources import tr
 
 
 class PickBar:

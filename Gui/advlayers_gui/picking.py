@@ -6,8 +6,8 @@ from typing import Callable, Iterable, List, Tuple
 import FreeCADGui
 
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.picked_names import names_on
-from advlayers_gui.resources import tr
 
 
 class PickSession:

@@ -9,9 +9,9 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from advlayers.errors import Stopped
+from advlayers.language import tr
 from advlayers.layer_mesh import window_watch
 from advlayers_gui.command import TITLE
-from advlayers_gui.resources import tr
 
 _DELAY = 500  # [ms] that a run may take without the window
 

@@ -5,8 +5,8 @@ from typing import Callable, List, Sequence, Tuple
 
 from PySide import QtCore, QtGui
 
+from advlayers.language import tr
 from advlayers_gui.picking import PickSession
-from advlayers_gui.resources import tr
 
 
 class ReferenceList:

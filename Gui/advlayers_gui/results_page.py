@@ -1,14 +1,16 @@
 """What came out: counts, qualities, walls asked and achieved, notes; and where to look at them."""
 from __future__ import annotations
 
-from typing import Any, Callable, List, Mapping, Optional, Tuple
+from typing import Any, Callable, List, Mapping, Optional, Sequence
 
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from advlayers.mesh_data import FIELDS, HEIGHT, POOR_QUALITY, QUALITY, MeshData, Place
+from advlayers import check
+from advlayers.check import Finding
+from advlayers.language import tr
+from advlayers.mesh_data import FIELDS, HEIGHT, QUALITY, MeshData, Place
 from advlayers_gui.histogram import BARS, Histogram
-from advlayers_gui.resources import tr
 
 _SHOWN_FIGURES = (
     ("nodes", "Nodes", "{}"), ("quads", "Quads", "{}"), ("triangles", "Triangles", "{}"),
@@ -19,7 +21,9 @@ _SHOWN_FIGURES = (
     ("inverted", "Inverted", "{}"),
 )
 _HEADERS = ("Edge", "Face", "Height asked", "Height got", "Growth", "Layers", "Ended by")
-_POOR_SHOWN = 10
+_ICONS = {"error": QtGui.QStyle.SP_MessageBoxCritical,
+          "warning": QtGui.QStyle.SP_MessageBoxWarning,
+          "info": QtGui.QStyle.SP_MessageBoxInformation}
 
 
 class ResultsPage:
@@ -29,7 +33,7 @@ class ResultsPage:
                  on_place: Callable[[Optional[Place]], None]) -> None:
         self._on_field, self._on_place = on_field, on_place
         self._data: Optional[MeshData] = None
-        self._notes: List[Tuple[str, Callable[[], Optional[Place]]]] = []
+        self._findings: List[Finding] = []
         self.widget = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(self.widget)
         self._figures = QtGui.QLabel(tr("There is no mesh yet."))
@@ -40,7 +44,7 @@ class ResultsPage:
         self._histogram = Histogram(self._pick_bar)
         layout.addWidget(self._histogram)
         layout.addWidget(self._make_walls())
-        layout.addWidget(self._make_notes())
+        layout.addWidget(self._make_findings())
         self._reason = QtGui.QLabel()
         self._reason.setObjectName("AdvLayersReason")
         self._reason.setWordWrap(True)
@@ -50,13 +54,17 @@ class ResultsPage:
     def field(self) -> str:
         return FIELDS[self._choice.currentIndex()]
 
-    def show(self, data: MeshData) -> None:
+    def show(self, data: Optional[MeshData], remarks: Sequence[Finding] = ()) -> None:
+        """The mesh, where there is one; the remarks are listed with what the mesh gives cause
+        for."""
         self._data = data
         self._reason.clear()
-        self._figures.setText(_figures_text(data.report))
-        self._histogram.show_values(data.field(QUALITY))
-        self._fill_walls(data.report.get("walls", ()))
-        self._fill_notes()
+        self._findings = check.by_severity([*remarks, *(check.of_mesh(data) if data else ())])
+        self._fill_findings()
+        if data is not None:
+            self._figures.setText(_figures_text(data.report))
+            self._histogram.show_values(data.field(QUALITY))
+            self._fill_walls(data.report.get("walls", ()))
 
     # --- widgets ------------------------------------------------------------------------------
 
@@ -82,12 +90,13 @@ class ResultsPage:
         self._walls.cellClicked.connect(lambda row, _column: self._pick_wall(row))
         return self._walls
 
-    def _make_notes(self):
+    def _make_findings(self):
         self._list = QtGui.QListWidget()
-        self._list.setObjectName("AdvLayersNotes")
+        self._list.setObjectName("AdvLayersFindings")
         self._list.setMinimumHeight(80)
+        self._list.setWordWrap(True)
         self._list.setToolTip(tr("A click shows the place"))
-        self._list.itemClicked.connect(lambda _item: self._pick_note(self._list.currentRow()))
+        self._list.itemClicked.connect(lambda _item: self._pick_finding(self._list.currentRow()))
         return self._list
 
     # --- contents -----------------------------------------------------------------------------
@@ -103,24 +112,15 @@ class ResultsPage:
                 self._walls.setItem(row, column, item)
         self._walls.resizeColumnsToContents()
 
-    def _fill_notes(self) -> None:
-        data = self._data
-        self._notes = [
-            (f"{entry['severity']}: {entry['text']}",
-             lambda entry=entry: data.place_near(entry["point"])
-             if entry["point"] and any(entry["point"]) else None)
-            for entry in data.report.get("diagnostics", ())]
-        quality = data.field(QUALITY)
-        for element in quality.argsort()[:_POOR_SHOWN].tolist():
-            if quality[element] < POOR_QUALITY:
-                layer = int(data.mesh.layers[element])
-                where = tr("in the core") if layer == 0 else tr("in layer {}").format(layer)
-                self._notes.append((
-                    tr("element {} {}: quality {:.2f}").format(
-                        element + 1, where, quality[element]),
-                    lambda element=element: data.place_of(element)))
+    def _fill_findings(self) -> None:
         self._list.clear()
-        self._list.addItems([text for text, _place in self._notes])
+        for finding in self._findings:
+            icon = self._list.style().standardIcon(_ICONS[finding.severity])
+            self._list.addItem(QtGui.QListWidgetItem(icon, finding.text))
+        if self._data is not None and not self._findings:
+            nothing = QtGui.QListWidgetItem(tr("There is nothing to complain of."))
+            nothing.setFlags(QtCore.Qt.NoItemFlags)
+            self._list.addItem(nothing)
 
     # --- clicks -------------------------------------------------------------------------------
 
@@ -134,9 +134,15 @@ class ResultsPage:
             self._look(self._data.place_of(element), tr("element {}: quality {:.2f}").format(
                 element + 1, quality[element]))
 
-    def _pick_note(self, row: int) -> None:
-        text, place = self._notes[row]
-        self._look(place(), text)
+    def _pick_finding(self, row: int) -> None:
+        finding = self._findings[row]
+        if finding.wall >= 0:
+            self._pick_wall(finding.wall)
+        elif finding.element >= 0:
+            self._look(self._data.place_of(finding.element), finding.text)
+        else:
+            self._look(self._data.place_near(finding.point) if finding.point else None,
+                       finding.text)
 
     def _pick_wall(self, row: int) -> None:
         """Where layers stopped early, if any; else where the first height is most off."""

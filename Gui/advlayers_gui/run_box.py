@@ -8,8 +8,8 @@ from PySide import QtGui
 
 from advlayers import layer_mesh
 from advlayers.errors import CoreMissing
+from advlayers.language import tr
 from advlayers_gui.mesh_task import Canvas, MeshTask, Outcome, Progress
-from advlayers_gui.resources import tr
 
 _STEPS = 1000  # of the progress bar
 

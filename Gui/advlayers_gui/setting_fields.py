@@ -7,9 +7,9 @@ import FreeCADGui
 from PySide import QtGui
 
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.properties import from_property, property_name, to_property
 from advlayers.settings_table import Setting, unset_value
-from advlayers_gui.resources import tr
 
 _HIGHEST = 1e9  # where a setting has no bound of its own
 _HIGHEST_NUMBER = 1000.0  # of numbers without a unit: growths and ratios

@@ -118,8 +118,8 @@
         <translation>Netz prüfen</translation>
     </message>
     <message>
-        <source>Lists what is to be said about the mesh: lost references, diagnostics, worst elements</source>
-        <translation>Listet auf, was über das Netz zu sagen ist: verlorene Bezüge, Meldungen, schlechteste Elemente</translation>
+        <source>Opens the results of the mesh: lost references, diagnostics, worst elements; a click leads to the place</source>
+        <translation>Öffnet die Ergebnisse des Netzes: verlorene Bezüge, Meldungen, schlechteste Elemente; ein Klick führt zur Stelle</translation>
     </message>
 </context>
 <context>
@@ -427,6 +427,10 @@
         <translation>Wählen Sie zuerst Flächen oder Kanten der vernetzten Form.</translation>
     </message>
     <message>
+        <source>Select faces, edges and vertices in the 3D view.</source>
+        <translation>Flächen, Kanten und Punkte in der 3D-Ansicht wählen.</translation>
+    </message>
+    <message>
         <source>Select one Gmsh mesh first.</source>
         <translation>Wählen Sie zuerst ein Gmsh-Netz.</translation>
     </message>
@@ -489,6 +493,10 @@
     <message>
         <source>Tangent</source>
         <translation>Tangential</translation>
+    </message>
+    <message>
+        <source>The mesh is out of date: settings or model have changed.</source>
+        <translation>Das Netz ist veraltet: Einstellungen oder Modell haben sich geändert.</translation>
     </message>
     <message>
         <source>The selected edges bound their faces, however smoothly these meet</source>
@@ -563,8 +571,8 @@
         <translation>so hoch wie breit</translation>
     </message>
     <message>
-        <source>element {} {}: quality {:.2f}</source>
-        <translation>Element {} {}: Güte {:.2f}</translation>
+        <source>element {number} {where}: angles from {least:.1f}° to {largest:.1f}°</source>
+        <translation>Element {number} {where}: Winkel von {least:.1f}° bis {largest:.1f}°</translation>
     </message>
     <message>
         <source>element {}: quality {:.2f}</source>
@@ -589,6 +597,10 @@
     <message>
         <source>pick a face or an edge of {}</source>
         <translation>wählen Sie eine Fläche oder Kante von {}</translation>
+    </message>
+    <message>
+        <source>pick a face, an edge or a vertex of {}</source>
+        <translation>wählen Sie eine Fläche, eine Kante oder einen Punkt von {}</translation>
     </message>
     <message>
         <source>select faces or edges in the 3D view first</source>
@@ -633,6 +645,14 @@
     <message>
         <source>{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s</source>
         <translation>{stage} · {elements} Elemente · {percent:.1f} % Vierecke · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{} came after the mesh and does not act on it: update the mesh.</source>
+        <translation>{} kam nach dem Netz und wirkt nicht darauf: aktualisieren Sie das Netz.</translation>
+    </message>
+    <message>
+        <source>{} elements are turned over.</source>
+        <translation>{} Elemente sind umgeklappt.</translation>
     </message>
     <message>
         <source>{} elements of quality {:.2f} to {:.2f}</source>

@@ -118,8 +118,8 @@
         <translation>Vérifier le maillage</translation>
     </message>
     <message>
-        <source>Lists what is to be said about the mesh: lost references, diagnostics, worst elements</source>
-        <translation>Énumère ce qu'il y a à dire du maillage : références perdues, diagnostics, pires éléments</translation>
+        <source>Opens the results of the mesh: lost references, diagnostics, worst elements; a click leads to the place</source>
+        <translation>Ouvre les résultats du maillage : références perdues, messages, pires éléments ; un clic mène à l'endroit</translation>
     </message>
 </context>
 <context>
@@ -427,6 +427,10 @@
         <translation>Sélectionnez d'abord des faces ou des arêtes de la forme maillée.</translation>
     </message>
     <message>
+        <source>Select faces, edges and vertices in the 3D view.</source>
+        <translation>Sélectionnez des faces, des arêtes et des sommets dans la vue 3D.</translation>
+    </message>
+    <message>
         <source>Select one Gmsh mesh first.</source>
         <translation>Sélectionnez d'abord un maillage Gmsh.</translation>
     </message>
@@ -489,6 +493,10 @@
     <message>
         <source>Tangent</source>
         <translation>Tangente</translation>
+    </message>
+    <message>
+        <source>The mesh is out of date: settings or model have changed.</source>
+        <translation>Le maillage est périmé : les réglages ou le modèle ont changé.</translation>
     </message>
     <message>
         <source>The selected edges bound their faces, however smoothly these meet</source>
@@ -563,8 +571,8 @@
         <translation>aussi haut que large</translation>
     </message>
     <message>
-        <source>element {} {}: quality {:.2f}</source>
-        <translation>élément {} {} : qualité {:.2f}</translation>
+        <source>element {number} {where}: angles from {least:.1f}° to {largest:.1f}°</source>
+        <translation>élément {number} {where} : angles de {least:.1f}° à {largest:.1f}°</translation>
     </message>
     <message>
         <source>element {}: quality {:.2f}</source>
@@ -589,6 +597,10 @@
     <message>
         <source>pick a face or an edge of {}</source>
         <translation>choisissez une face ou une arête de {}</translation>
+    </message>
+    <message>
+        <source>pick a face, an edge or a vertex of {}</source>
+        <translation>choisissez une face, une arête ou un sommet de {}</translation>
     </message>
     <message>
         <source>select faces or edges in the 3D view first</source>
@@ -633,6 +645,14 @@
     <message>
         <source>{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s</source>
         <translation>{stage} · {elements} éléments · {percent:.1f} % de quadrangles · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{} came after the mesh and does not act on it: update the mesh.</source>
+        <translation>{} est venu après le maillage et n'agit pas sur lui : mettez le maillage à jour.</translation>
+    </message>
+    <message>
+        <source>{} elements are turned over.</source>
+        <translation>{} éléments sont retournés.</translation>
     </message>
     <message>
         <source>{} elements of quality {:.2f} to {:.2f}</source>

@@ -11,7 +11,8 @@ from PySide import QtCore, QtGui
 from advlayers import layer_mesh
 from advlayers.export import FORMATS
 from advlayers_gui import commands, mesh_commands
-from window import answer_message, close_panel, events, run, screenshot, select
+from window import (
+    answer_message, child, close_panel, events, press_cancel, report_lines, run, screenshot, select)
 
 
 @pytest.fixture
@@ -103,12 +104,17 @@ def test_a_failed_update_tells_why(mesh):
     assert len(seen) == 1 and "growth" in seen[0]
 
 
-def test_check_lists_what_there_is(mesh):
-    seen = []
-    answer_message(seen)
+def test_check_opens_the_results(mesh):
+    mesh.Growth = 1.5
+    mesh.Document.recompute()
     select((mesh, ""))
     run("Check")
-    assert len(seen) == 1 and str(mesh.QuadCount) in seen[0]
+    assert child(QtGui.QTabWidget, "AdvLayersTabs").currentIndex() == 2
+    assert str(mesh.QuadCount) in child(QtGui.QLabel, "AdvLayersFigures").text()
+    findings = child(QtGui.QListWidget, "AdvLayersFindings")
+    assert "out of date" in findings.item(0).text()
+    assert any(f"{mesh.QuadCount} quads" in line for line in report_lines())
+    press_cancel()
 
 
 def test_export_asks_for_a_file(mesh, tmp_path, monkeypatch):

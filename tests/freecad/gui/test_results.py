@@ -117,6 +117,29 @@ def test_a_click_leads_to_the_place(mesh):
     press_cancel()
 
 
+def test_findings_lead_to_their_place(mesh):
+    mesh.Layers = "30"  # more than there is room for
+    advlayers.update(mesh)
+    mesh.ViewObject.Document.setEdit(mesh.Name)
+    panel_of(mesh).show_results()
+    events()
+    findings = child(QtGui.QListWidget, "AdvLayersFindings")
+    rows = [row for row in range(findings.count()) if "of 30 layers" in findings.item(row).text()]
+    assert rows and not findings.item(rows[0]).icon().isNull()
+    name = findings.item(rows[0]).text().split(" got ")[0]
+    before = _focus(FreeCADGui.getDocument(mesh.Document.Name).ActiveView)
+    findings.setCurrentRow(rows[0])
+    findings.itemClicked.emit(findings.item(rows[0]))
+    reason = child(QtGui.QLabel, "AdvLayersReason").text()
+    assert name in reason and "layers end here first" in reason
+    after = _focus(FreeCADGui.getDocument(mesh.Document.Name).ActiveView)
+    face = mesh.Part.Shape.Faces[int(name.rsplit("Face", 1)[1]) - 1]
+    assert face.distToShape(Part.Vertex(*after))[0] < 1e-3
+    assert np.linalg.norm(after - before) > 1e-3
+    screenshot("findings.png")
+    press_cancel()
+
+
 def _focus(view):
     """The point that the camera looks at."""
     camera = view.getCameraNode()

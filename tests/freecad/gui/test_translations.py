@@ -10,7 +10,7 @@ import FreeCADGui
 import pytest
 from PySide import QtCore, QtGui
 
-from advlayers_gui.resources import tr
+from advlayers.language import tr
 from window import ROOT, events
 
 sys.path.append(os.path.join(ROOT, "docs"))
