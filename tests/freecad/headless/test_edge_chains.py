@@ -7,8 +7,8 @@ import pytest
 from advlayers.edge_chains import EdgeChains
 from advlayers.height_lines import layers_until, thickness, wall_lines
 
-SETTINGS = {"faces": "all", "walls": "all", "match": (), "off": (), "first_height": 0.1,
-            "growth": 1.5, "layers": 3, "size": 1.0}
+SETTINGS = {"faces": "all", "walls": "all", "match": (), "off": (), "boundary": (),
+            "smooth": (), "first_height": 0.1, "growth": 1.5, "layers": 3, "size": 1.0}
 
 
 @pytest.fixture
