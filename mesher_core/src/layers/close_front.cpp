@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "base/ties.h"
 #include "layers/concave_scaling.h"
 #include "layers/front_index.h"
 #include "layers/recover.h"
@@ -75,7 +76,7 @@ class Closer {
         const double rows = 1.0 + factor + (shape.turn() < -kTipTurn ? 1.0 : 0.0);
         const double reach = rows * height;
         if (!fronts.nearest_ahead(i, shape, reach, hit)) continue;
-        gaps.push_back({hit.distance, i, hit.from, hit.to});
+        gaps.push_back({settled(hit.distance), i, hit.from, hit.to});
       }
     }
     std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
@@ -112,8 +113,8 @@ class Closer {
       const int k = active_node_at(v);
       if (k < 0 || k == p || k == front_[p].next || k == front_[p].prev) continue;
       const double angle =
-          std::min({angle_at(front_[p].prev, p, k), angle_at(k, p, front_[p].next),
-                    angle_at(front_[k].prev, k, p), angle_at(p, k, front_[k].next)});
+          settled(std::min({angle_at(front_[p].prev, p, k), angle_at(k, p, front_[p].next),
+                            angle_at(front_[k].prev, k, p), angle_at(p, k, front_[k].next)}));
       if (angle > best) {
         best = angle;
         q = k;

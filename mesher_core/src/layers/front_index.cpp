@@ -10,6 +10,8 @@
 #include <boost/geometry/strategies/strategies.hpp>  // newer Boosts leave it to the user
 #include <cmath>
 
+#include "base/ties.h"
+
 namespace advlayers {
 namespace {
 
@@ -92,15 +94,18 @@ bool FrontIndex::nearest_ahead(int node, const NodeShape& shape, double reach, H
   const Vec3 spread = Vec3::Constant(reach);
   hit.distance = reach;
   bool found = false;
+  std::size_t nearest = 0;
   const auto visit = [&](const std::pair<BoostBox, std::size_t>& entry) {
     const Tree::Edge& edge = tree_->edges[entry.second];
     if (joined(edge.from) || joined(edge.to)) return;
     const Vec3 to = closest_on_segment(mesh_->position(edge.from), mesh_->position(edge.to), p) - p;
-    const double distance = to.norm();
+    const double distance = settled(to.norm());
     if (edge.boundary && runs_along(edge, shape.inward)) return;
-    if (distance >= hit.distance || to.dot(shape.inward) < kAheadCosine * distance) return;
+    if (distance > hit.distance || to.dot(shape.inward) < kAheadCosine * distance) return;
+    if (found && distance == hit.distance && entry.second > nearest) return;
     if (mesh_->data(edge.from).normal.dot(shape.normal) < kSameSideCosine) return;
     hit = {distance, edge.from, edge.to, edge.node};
+    nearest = entry.second;
     found = true;
   };
   const BoostBox window = box_of(p - spread, p + spread);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ties.h"
 #include "layers/front_index.h"
 
 namespace advlayers {
@@ -77,7 +78,9 @@ class Aligner {
     for (const int k : {a, b, front_[a].prev, b < 0 ? -1 : front_[b].next}) {
       if (k < 0 || !front_[k].active || k == i) continue;
       const double offset = (meeting_place(k, sight.hit.distance) - place).dot(along(i));
-      if (sight.partner >= 0 && std::abs(offset) >= std::abs(sight.offset)) continue;
+      if (sight.partner >= 0 && settled(std::abs(offset)) >= settled(std::abs(sight.offset))) {
+        continue;
+      }
       sight.partner = k;
       sight.offset = offset;
     }

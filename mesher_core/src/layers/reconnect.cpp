@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ties.h"
 #include "mesh/triangle_measures.h"
 
 namespace advlayers {
@@ -49,7 +50,7 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
     allowed = std::min(allowed, deviation_cosine(old, p, q));
     allowed_at_corner = std::min(allowed_at_corner, corner_cosine(old, p, q));
     if (mesh.to(mesh.next(o)) == mesh.to(h)) break;
-    worst_angle = std::min(worst_angle, min_angle(w, p, q));
+    worst_angle = std::min(worst_angle, settled(min_angle(w, p, q)));
     if (worst_angle <= 0.0) return Veto::kInverts;
     const double area2 = signed_area2(w, p, q);
     least = std::min(least, area2);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/ties.h"
+
 namespace advlayers {
 namespace {
 
@@ -127,7 +129,7 @@ class Merger {
       const bool fan = draft_.kid(p).fan_age >= 0 && draft_.kid(q).fan_age >= 0;
       double limit = fan || draft_.is_strip_end(i, k) ? 0.2 : kCollapseLength;
       if (bent_by_merging(i, k)) limit = std::min(limit, kVanishingLength);
-      if (forward < limit * height) pairs.push_back({forward, i});
+      if (forward < limit * height) pairs.push_back({settled(forward), i});
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
       return a.length != b.length ? a.length < b.length : a.node < b.node;

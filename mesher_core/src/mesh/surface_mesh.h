@@ -118,8 +118,9 @@ class SurfaceMesh {
   void add_observer(MeshObserver* observer);  // not owned
   void remove_observer(MeshObserver* observer);
 
-  // Drops tombstones; every handle held outside is void after it.
-  void compact();
+  // Numbers edges and faces by their vertices, so that meshes that are equal but for the way that
+  // they came about are the same. Their tombstones go; handles to them held outside are void.
+  void put_in_order();
 
  private:
   HalfedgeH add_edge(VertexH from, VertexH to);
@@ -127,6 +128,9 @@ class SurfaceMesh {
   void link(HalfedgeH a, HalfedgeH b);
   void link_border();
   void set_triangle(FaceH f, HalfedgeH a, HalfedgeH b, HalfedgeH c);
+  std::vector<HalfedgeH> halfedges_by_vertices() const;
+  HalfedgeH from_least_corner(FaceH f) const;
+  void set_outgoing();
   void merge_edges(HalfedgeH kept, HalfedgeH gone);
   void remove_edge(HalfedgeH h);
   void remove_face(FaceH f);

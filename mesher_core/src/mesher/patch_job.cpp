@@ -204,6 +204,7 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
     meshed_ = false;
     return;
   }
+  mesh_.put_in_order();
   const SurfaceMesh before = mesh_;
   const bool done = guard("core-not-improved", [&] {
     return_to_core(mesh_);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ties.h"
+
 namespace advlayers {
 namespace {
 
@@ -64,7 +66,7 @@ double right_angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     worst = lengths > 0.0 ? std::max(worst, dot * dot / lengths) : 1.0;
   }
   const double cosine = std::sqrt(worst);
-  return folded ? -1.0 - cosine : 1.0 - cosine;
+  return settled(folded ? -1.0 - cosine : 1.0 - cosine);
 }
 
 double quad_quality(const SurfaceMesh& mesh, VertexH a, VertexH b, VertexH c, VertexH d) {
@@ -85,7 +87,7 @@ double min_angle_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n
   // The smallest angle lies between the two longest sides.
   const double product = la * lb * lc / std::max(std::min({la, lb, lc}), 1e-300);
   const double sine = product > 0.0 ? turn.norm() / std::sqrt(product) : 0.0;
-  return turn.dot(normal) > 0.0 ? sine : -sine;
+  return settled(turn.dot(normal) > 0.0 ? sine : -sine);
 }
 
 }  // namespace advlayers

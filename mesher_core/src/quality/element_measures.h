@@ -29,7 +29,8 @@ std::array<double, 4> interior_angles(const ElementCorners& element);
 
 // How near a quad comes to right angles: 1 - max |cos| over its corners, 1 for a rectangle; the
 // order is that of the paper's 1 / (largest deviation from 90 degrees) (II.H), without its pole.
-// Negative where a corner turns against `normal` (the quad is folded or concave there).
+// To single precision (see ties.h). Negative where a corner turns against `normal` (the quad is
+// folded or concave there).
 double right_angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                            const Vec3& normal);
 
@@ -37,7 +38,8 @@ double right_angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
 // also where it leans so far from the surface at a corner that it may not lie on it at all.
 double quad_quality(const SurfaceMesh& mesh, VertexH a, VertexH b, VertexH c, VertexH d);
 
-// The sine of the smallest angle of a triangle; negative where it turns against `normal`.
+// The sine of the smallest angle of a triangle, to single precision (see ties.h); negative where it
+// turns against `normal`.
 double min_angle_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal);
 
 }  // namespace advlayers

@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "base/predicates.h"
+#include "base/ties.h"
 #include "triangulate/crease_splits.h"
 
 namespace advlayers {
@@ -157,7 +158,7 @@ class FrontalInsertion {
     const double size =
         (sheet_.vertex(v[0]).size + sheet_.vertex(v[1]).size + sheet_.vertex(v[2]).size) / 3;
     if (sixteen_area2 <= 0) return std::numeric_limits<double>::infinity();
-    return std::sqrt(3 * a * b * c / sixteen_area2) / size;
+    return settled(std::sqrt(3 * a * b * c / sixteen_area2) / size);
   }
 
   void assess(int t) {
@@ -195,7 +196,7 @@ class FrontalInsertion {
     std::array<Side, 3> sides{Side{t, 0}, Side{t, 1}, Side{t, 2}};
     std::array<double, 3> length{};
     for (int i = 0; i < 3; ++i) {
-      length[i] = sheet_.squared_length(mesh().from(sides[i]), mesh().to(sides[i]));
+      length[i] = settled(sheet_.squared_length(mesh().from(sides[i]), mesh().to(sides[i])));
     }
     std::sort(sides.begin(), sides.end(), [&](Side a, Side b) {
       return length[a.i] != length[b.i] ? length[a.i] < length[b.i] : a.i < b.i;
@@ -368,6 +369,7 @@ void fill_sheet(LiftedTriangulation& sheet, const CancelFlag& cancel) {
   sheet.straighten_poles();
   refine_deviating(sheet, cancel);
   sheet.straighten_poles();
+  sheet.put_in_order();
 }
 
 }  // namespace advlayers

@@ -7,6 +7,8 @@ namespace advlayers {
 namespace {
 
 constexpr std::uint32_t kCells = 1u << 16;  // per direction
+// Keeps what symmetry puts at the ends, the middle and the quarters off the borders of cells.
+constexpr double kOffset = 0.31;
 
 std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y) {
   std::uint32_t index = 0;
@@ -36,7 +38,7 @@ std::vector<int> hilbert_order(const std::vector<Vec2>& points) {
   const double scale = extent > 0 ? (kCells - 1) / extent : 0.0;
   std::vector<std::pair<std::uint32_t, int>> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2 cell = (points[i] - low) * scale;
+    const Vec2 cell = (points[i] - low) * scale + Vec2::Constant(kOffset);
     keys[i] = {
         hilbert_index(static_cast<std::uint32_t>(cell.x()), static_cast<std::uint32_t>(cell.y())),
         static_cast<int>(i)};

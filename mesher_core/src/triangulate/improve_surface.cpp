@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ties.h"
 #include "triangulate/surface_ops.h"
 
 namespace advlayers {
@@ -94,7 +95,7 @@ class Improver {
     sides[1] = mesh_.next(sides[0]);
     sides[2] = mesh_.next(sides[1]);
     std::sort(sides.begin(), sides.end(), [this](HalfedgeH a, HalfedgeH b) {
-      const double la = ops_.length(a), lb = ops_.length(b);
+      const double la = settled(ops_.length(a)), lb = settled(ops_.length(b));
       return la != lb ? la < lb : a < b;
     });
     for (const HalfedgeH h : sides) {

@@ -270,6 +270,11 @@ void LiftedTriangulation::straighten_poles() {
   for (unsigned& version : versions_) ++version;
 }
 
+void LiftedTriangulation::put_in_order() {
+  mesh_.keep(std::vector<char>(mesh_.triangles().size(), 1));
+  for (unsigned& version : versions_) ++version;
+}
+
 void LiftedTriangulation::flip_all() {
   pending_.clear();
   for (int t = 0; t < mesh_.triangle_count(); ++t) {

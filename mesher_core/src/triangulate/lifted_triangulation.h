@@ -76,6 +76,9 @@ class LiftedTriangulation {
   int insert_in(int t, const Vec2& p);
   int insert_on(Side s, const Vec2& p);
 
+  // Numbers the triangles by their corners: equal triangulations that came about in different
+  // ways are the same from here on.
+  void put_in_order();
   // Flips every edge that is not Delaunay in the metric.
   void flip_all();
   // Flips edges about poles by what the triangles are in space: seen from the pole, their

@@ -1,8 +1,20 @@
 #include "triangulate/planar_triangulation.h"
 
+#include <algorithm>
+
 #include "base/predicates.h"
 
 namespace advlayers {
+namespace {
+
+void turn_to_least_corner(PlanarTriangulation::Triangle& t) {
+  const auto least = std::min_element(t.v.begin(), t.v.end()) - t.v.begin();
+  for (std::array<int, 3>* ring : {&t.v, &t.n, &t.segment}) {
+    std::rotate(ring->begin(), ring->begin() + least, ring->end());
+  }
+}
+
+}  // namespace
 
 int PlanarTriangulation::add_point(const Vec2& p) {
   points_.push_back(p);
@@ -137,19 +149,26 @@ void PlanarTriangulation::split_side(Side s, int v) {
 }
 
 void PlanarTriangulation::keep(const std::vector<char>& kept) {
-  std::vector<int> renumbered(triangles_.size(), -1);
-  int count = 0;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (kept[t]) renumbered[t] = count++;
-  }
-  triangle_of_.assign(points_.size(), -1);
+  std::vector<int> order;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     if (!kept[t]) continue;
-    Triangle moved = triangles_[t];
-    for (int& n : moved.n) n = n < 0 ? -1 : renumbered[static_cast<std::size_t>(n)];
-    set_triangle(renumbered[t], moved.v, moved.n, moved.segment);
+    turn_to_least_corner(triangles_[t]);
+    order.push_back(static_cast<int>(t));
   }
-  triangles_.resize(static_cast<std::size_t>(count));
+  std::sort(order.begin(), order.end(),
+            [this](int s, int t) { return triangle(s).v < triangle(t).v; });
+  std::vector<int> renumbered(triangles_.size(), -1);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    renumbered[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  }
+  const std::vector<Triangle> before = std::move(triangles_);
+  triangles_.resize(order.size());
+  triangle_of_.assign(points_.size(), -1);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    Triangle moved = before[static_cast<std::size_t>(order[k])];
+    for (int& n : moved.n) n = n < 0 ? -1 : renumbered[static_cast<std::size_t>(n)];
+    set_triangle(static_cast<int>(k), moved.v, moved.n, moved.segment);
+  }
 }
 
 void PlanarTriangulation::append_link(int v, std::vector<Side>& out) const {

@@ -70,7 +70,8 @@ class PlanarTriangulation {
   // Whether the parts of split_side at p would be counter-clockwise.
   bool splittable(Side s, const Vec2& p) const;
 
-  // Keeps the triangles marked so; points stay. Handles to triangles change.
+  // Keeps the triangles marked so, in the order of their corners, which tells nothing of how they
+  // came about; points stay. Handles to triangles change.
   void keep(const std::vector<char>& kept);
 
   // Flips the listed edges, and those the flips disturb, while `wants_flip(side)` says so. Ends if

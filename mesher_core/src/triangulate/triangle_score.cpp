@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ties.h"
+
 namespace advlayers {
 namespace {
 
@@ -27,10 +29,10 @@ double triangle_score(const Corner& a, const Corner& b, const Corner& c) {
                                area2;
   const double lean = std::min(cross.dot(sum) / (area2 * sum.norm()) - kLeastCosine,
                                corner_cosine - kLeastCornerCosine);
-  if (lean < 0.0) return lean;
+  if (lean < 0.0) return settled(lean);
   const double ab2 = ab.squaredNorm(), bc2 = bc.squaredNorm(), ca2 = ca.squaredNorm();
   const double two_longest = ab2 * bc2 * ca2 / std::min({ab2, bc2, ca2});
-  return area2 / (std::sqrt(two_longest) * kSineOf60);
+  return settled(area2 / (std::sqrt(two_longest) * kSineOf60));
 }
 
 double score_of_angle(double angle) { return std::sin(angle) / kSineOf60; }

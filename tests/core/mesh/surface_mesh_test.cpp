@@ -118,15 +118,22 @@ TEST(SurfaceMesh, ObserverSeesEveryFaceThatComesAndGoes) {
   EXPECT_EQ(counter.vertices, mesh.vertex_count());
 }
 
-TEST(SurfaceMesh, StaysValidUnderRandomOperationsAndCompaction) {
+TEST(SurfaceMesh, StaysValidUnderRandomOperationsAndInOrder) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     SurfaceMesh mesh = triangle_grid(5, 5);
     random_operations(mesh, 600, seed);
     EXPECT_VALID(mesh);
     EXPECT_EQ(euler_number(mesh), 1);
     const int faces = mesh.face_count();
-    mesh.compact();
+    const int edges = mesh.edge_count();
+    mesh.put_in_order();
     EXPECT_EQ(static_cast<int>(mesh.face_capacity()), faces);
+    EXPECT_EQ(static_cast<int>(mesh.halfedge_capacity()), 2 * edges);
+    for (std::size_t i = 2; i < mesh.halfedge_capacity(); i += 2) {
+      const HalfedgeH before(i - 2), h(i);
+      EXPECT_LT(std::make_pair(mesh.from(before), mesh.to(before)),
+                std::make_pair(mesh.from(h), mesh.to(h)));
+    }
     EXPECT_VALID(mesh);
     random_operations(mesh, 100, seed + 100);
     EXPECT_VALID(mesh);
