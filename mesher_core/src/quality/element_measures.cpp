@@ -11,6 +11,9 @@ namespace {
 constexpr double kDegreesPerRadian = 57.295779513082320877;
 // Cosine of the furthest that a quad may lean from the surface at one of its corners.
 constexpr double kLeastLean = 0.25;
+// Squared sine of the least angle by which a corner stays below 180 degrees as the surface sees it:
+// along a bent border three nodes in a row make a corner in space that is none on the surface.
+constexpr double kLeastTurn = 1e-3;
 
 }  // namespace
 
@@ -74,8 +77,16 @@ double quad_quality(const SurfaceMesh& mesh, VertexH a, VertexH b, VertexH c, Ve
   const Vec3 &pc = mesh.position(c), &pd = mesh.position(d);
   const Vec3 area = (pc - pa).cross(pd - pb);
   const double least = kLeastLean * area.norm();
-  for (const VertexH v : {a, b, c, d}) {
-    if (mesh.data(v).normal.dot(area) <= least) return -1.0;
+  const std::array<VertexH, 4> corner{a, b, c, d};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3& normal = mesh.data(corner[k]).normal;
+    if (normal.dot(area) <= least) return -1.0;
+    const Vec3 ahead = mesh.position(corner[(k + 1) & 3]) - mesh.position(corner[k]);
+    const Vec3 behind = mesh.position(corner[(k + 3) & 3]) - mesh.position(corner[k]);
+    const double turn = ahead.cross(behind).dot(normal);
+    if (turn <= 0.0 || turn * turn < kLeastTurn * ahead.squaredNorm() * behind.squaredNorm()) {
+      return -1.0;
+    }
   }
   return right_angle_quality(pa, pb, pc, pd, area);
 }

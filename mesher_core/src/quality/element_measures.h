@@ -35,7 +35,8 @@ double right_angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
                            const Vec3& normal);
 
 // The right-angle quality of the quad that four vertices make, against its own normal; negative
-// also where it leans so far from the surface at a corner that it may not lie on it at all.
+// also where it leans so far from the surface at a corner that it may not lie on it at all, or
+// where a corner is none against the surface's normal there.
 double quad_quality(const SurfaceMesh& mesh, VertexH a, VertexH b, VertexH c, VertexH d);
 
 // The sine of the smallest angle of a triangle, to single precision (see ties.h); negative where it

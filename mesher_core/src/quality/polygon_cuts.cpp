@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::vector<VertexH>;
 
-constexpr double kLeastQuality = 0.03;  // of a quad: angles within 30 to 150 degrees
+constexpr double kLeastQuality = 0.03;  // of a quad: corners of 14 to 166 degrees
 constexpr double kUnparted = -10.0;     // what a piece over two faces costs
 
 class Cutter {

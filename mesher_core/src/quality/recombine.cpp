@@ -14,8 +14,9 @@
 namespace advlayers {
 namespace {
 
-// A pair is refused where a corner is below 30 or above 150 degrees (paper, II.H).
-constexpr double kLeastQuality = 0.03;  // 1 - cos 30
+// A pair is refused where a corner is below 14 or above 166 degrees: further than the paper's 30
+// and 150 (II.H), as smoothing opens it; held to those, some pairs come apart for good.
+constexpr double kLeastQuality = 0.03;  // 1 - cos 14
 
 constexpr int kSeamSweeps = 10;
 constexpr int kSweeps = 5;
