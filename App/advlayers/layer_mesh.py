@@ -6,6 +6,7 @@ name are part of saved files.
 """
 from __future__ import annotations
 
+import contextlib
 import json
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -13,12 +14,12 @@ from typing import Any, Callable, Dict, List, Optional, Sequence
 
 from advlayers import analysis, cad_input, controls, fem_mesh, freshness, mesh_history, migrations
 from advlayers.core_access import load_core
-from advlayers.errors import InputError
+from advlayers.errors import InputError, Stopped
 from advlayers.layer_heights import height_errors
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import (
     HIDDEN, READ_ONLY, add_setting, from_property, plain_values, property_name, to_property)
-from advlayers.proxy import Stateless, attach_view
+from advlayers.proxy import Stateless, attach_view, shown_progress
 from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.report import make_report
 from advlayers.settings_check import check_all, check_names
@@ -90,7 +91,9 @@ class LayerMesh(Stateless):
     def execute(self, document_object) -> None:
         refresh_state(document_object)
         if document_object.AutoUpdate and document_object.State in (NOT_MESHED, OUT_OF_DATE):
-            update(document_object)
+            # A stopped one stays out of date, until the next recompute.
+            with contextlib.suppress(Stopped), shown_progress(document_object.Label):
+                update(document_object)
 
     def onDocumentRestored(self, document_object) -> None:
         add_properties(document_object)

@@ -72,3 +72,11 @@ def in_code(document_object) -> str:
     """The object, as a line of code has it."""
     return (f"FreeCAD.getDocument({document_object.Document.Name!r})"
             f".getObject({document_object.Name!r})")
+
+
+def call_on(document_object, title: str, importing: str, function: str) -> None:
+    """Calls a function with the object as a macro would, in one step of undo."""
+    with Transaction(document_object.Document, title):
+        do(importing)
+        do(f"{function}({in_code(document_object)})")
+        document_object.Document.recompute()

@@ -10,11 +10,13 @@ from PySide import QtGui
 
 from advlayers_gui import selected
 from advlayers.language import tr
-from advlayers_gui.command import Command, Transaction, do, in_code
+from advlayers_gui.command import Command, call_on, do, in_code
 
 
 class _OnMeshes(Command):
     """Works on the selected layer meshes, or on all of the document."""
+
+    CALL = ("", "")  # what run_on() calls with a mesh: a line that imports it, and its name
 
     def IsActive(self) -> bool:
         return super().IsActive() and bool(selected.all_layer_meshes())
@@ -24,7 +26,10 @@ class _OnMeshes(Command):
             self.run_on(mesh)
 
     def run_on(self, mesh) -> None:
-        raise NotImplementedError
+        from advlayers_gui.progress_window import shown_progress
+
+        with shown_progress(mesh.Label):
+            call_on(mesh, self.MENU, *self.CALL)
 
 
 class _OnOneMesh(_OnMeshes):
@@ -44,20 +49,13 @@ class Update(_OnMeshes):
     MENU = "Update Mesh"
     TOOLTIP = "Meshes the selected layer meshes again, or all of the document that are out of date"
     KEYS = "Y, U"
+    CALL = ("import advlayers", "advlayers.update")
 
     def run(self) -> None:
         chosen = selected.layer_meshes()
         for mesh in chosen or [entry for entry in selected.all_layer_meshes()
                                if entry.State != "Up to date"]:
             self.run_on(mesh)
-
-    def run_on(self, mesh) -> None:
-        from advlayers_gui.progress_window import shown_progress
-
-        with Transaction(mesh.Document, "Update Mesh"), shown_progress(mesh.Label):
-            do("import advlayers")
-            do(f"advlayers.update({in_code(mesh)})")
-            mesh.Document.recompute()
 
 
 class Check(_OnOneMesh):
@@ -85,17 +83,9 @@ def _at(point) -> str:
 class _OnLostReferences(_OnMeshes):
     """For meshes whose model was edited so that faces have other numbers."""
 
-    FUNCTION = ""
-
     def IsActive(self) -> bool:
         return super().IsActive() and any(
             mesh.State == "Lost references" for mesh in selected.layer_meshes_or_all())
-
-    def run_on(self, mesh) -> None:
-        with Transaction(mesh.Document, self.MENU):
-            do("from advlayers import layer_mesh")
-            do(f"layer_mesh.{self.FUNCTION}({in_code(mesh)})")
-        mesh.Document.recompute()
 
 
 class FollowReferences(_OnLostReferences):
@@ -103,14 +93,14 @@ class FollowReferences(_OnLostReferences):
     MENU = "Follow References"
     TOOLTIP = ("Gives lost references the names that what was picked has now, where it is still "
                "there")
-    FUNCTION = "follow_references"
+    CALL = ("from advlayers import layer_mesh", "layer_mesh.follow_references")
 
 
 class AcceptReferences(_OnLostReferences):
     NAME = "AcceptReferences"
     MENU = "Accept References"
     TOOLTIP = "Takes lost references for what their names stand for now"
-    FUNCTION = "accept_references"
+    CALL = ("from advlayers import layer_mesh", "layer_mesh.accept_references")
 
 
 class Export(_OnOneMesh):
@@ -144,25 +134,14 @@ class ToMesh(_OnMeshes):
     NAME = "ToMesh"
     MENU = "Convert to Triangles"
     TOOLTIP = "Makes a Mesh object of the layer mesh, each quad as two triangles"
-
-    def run_on(self, mesh) -> None:
-        with Transaction(mesh.Document, "Convert to Triangles"):
-            do("from advlayers import mesh_feature")
-            do(f"mesh_feature.make_mesh_feature({in_code(mesh)})")
+    CALL = ("from advlayers import mesh_feature", "mesh_feature.make_mesh_feature")
 
 
 class FillVolume(_OnOneMesh):
     NAME = "FillVolume"
     MENU = "Fill with Tetrahedra"
     TOOLTIP = "Fills the inside of a closed layer mesh with tetrahedra, using Gmsh"
-
-    def run_on(self, mesh) -> None:
-        from advlayers_gui.progress_window import shown_progress
-
-        with Transaction(mesh.Document, "Fill with Tetrahedra"), shown_progress(mesh.Label):
-            do("from advlayers import volume_fill")
-            do(f"volume_fill.fill({in_code(mesh)})")
-        mesh.Document.recompute()
+    CALL = ("from advlayers import volume_fill", "volume_fill.fill")
 
 
 class TakeOver(Command):
@@ -181,10 +160,8 @@ class TakeOver(Command):
                   if entry in self._gmsh_meshes()] or self._gmsh_meshes()
         if len(chosen) != 1:
             raise InputError("", tr("Select one Gmsh mesh first."))
-        with Transaction(chosen[0].Document, "Take over from Gmsh Mesh"):
-            do("from advlayers import gmsh_takeover")
-            do(f"gmsh_takeover.take_over({in_code(chosen[0])})")
-        chosen[0].Document.recompute()
+        call_on(chosen[0], self.MENU, "from advlayers import gmsh_takeover",
+                "gmsh_takeover.take_over")
 
     @staticmethod
     def _gmsh_meshes() -> List[Any]:
