@@ -30,6 +30,16 @@ class WallLines:
     first: Any  # top of the first layer
     last: Optional[Any]  # top of the last one; None where the number of layers is open
 
+    @property
+    def first_heights(self):
+        """(n,) [mm]"""
+        return np.linalg.norm(self.first - self.foot, axis=1)
+
+    @property
+    def totals(self):
+        """(n,) of all layers together [mm]; none where their number is open."""
+        return np.zeros(0) if self.last is None else np.linalg.norm(self.last - self.foot, axis=1)
+
 
 def thickness(first_height: float, growth: float, layers: int) -> float:
     """Of all layers together [mm]."""

@@ -6,6 +6,9 @@ from typing import Any, Tuple
 
 import numpy as np
 
+from advlayers.language import tr
+from advlayers.mesh_data import ASPECT, DIAGNOSTICS, HEIGHT, LAYERS, QUALITY
+
 # From bad to good, or from low to high; distinct for colour-blind eyes as well.
 _HEAT = ((0.70, 0.09, 0.17), (0.94, 0.54, 0.38), (0.97, 0.86, 0.68), (0.57, 0.77, 0.87),
          (0.13, 0.40, 0.67))
@@ -63,8 +66,14 @@ def packed(rgb) -> Any:
     return (parts[:, 0] << 24) | (parts[:, 1] << 16) | (parts[:, 2] << 8) | np.uint32(255)
 
 
+def title_of(field: str) -> str:
+    """In the user's language."""
+    return {LAYERS: tr("Layer"), QUALITY: tr("Quality"), ASPECT: tr("Aspect ratio"),
+            HEIGHT: tr("Height error [%]"), DIAGNOSTICS: tr("Diagnostics")}[field]
+
+
 def layer_scale(highest: int) -> Scale:
-    return Scale("Layer", 1.0, float(max(highest, 2)), _DEPTH, whole=True)
+    return Scale(title_of(LAYERS), 1.0, float(max(highest, 2)), _DEPTH, whole=True)
 
 
 def layer_colours(layers, highest: int):
@@ -74,12 +83,12 @@ def layer_colours(layers, highest: int):
 
 
 def quality_scale() -> Scale:
-    return Scale("Quality", 0.0, 1.0, _HEAT)
+    return Scale(title_of(QUALITY), 0.0, 1.0, _HEAT)
 
 
 def aspect_scale(highest: float) -> Scale:
-    return Scale("Aspect ratio", 1.0, max(float(highest), 2.0), _RISE, logarithmic=True)
+    return Scale(title_of(ASPECT), 1.0, max(float(highest), 2.0), _RISE, logarithmic=True)
 
 
 def height_scale() -> Scale:
-    return Scale("Height error [%]", -10.0, 10.0, _SIGNED)
+    return Scale(title_of(HEIGHT), -10.0, 10.0, _SIGNED)

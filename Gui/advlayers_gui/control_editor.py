@@ -1,7 +1,7 @@
 """One wall, size or group: its references and its values in widgets."""
 from __future__ import annotations
 
-from typing import Callable, List
+from typing import Callable, Dict, List
 
 from PySide import QtGui
 
@@ -12,6 +12,8 @@ from advlayers.picked_names import link_value, names_on
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import ReferenceList
 from advlayers_gui.setting_fields import SettingsForm
+
+_GROWING = controls.CONDITIONS[0]
 
 
 class ControlEditor:
@@ -26,10 +28,15 @@ class ControlEditor:
             self._add_condition(layout)
         kind = type(control.Proxy).__name__.lower()
         self._references = ReferenceList(kind, control.Proxy.KINDS, picks, self._refer, on_refused)
-        layout.addRow(tr("On"), self._references.widget)
+        layout.addRow(self._references.widget)
         self._references.show(references_of(control, source))
-        self._form = SettingsForm(control, controls.value_settings(control.Proxy.TABLE), layout,
+        self._values = QtGui.QWidget()
+        values = QtGui.QFormLayout(self._values)
+        values.setContentsMargins(0, 0, 0, 0)
+        self._form = SettingsForm(control, controls.value_settings(control.Proxy.TABLE), values,
                                   on_change, on_refused, optional=True)
+        layout.addRow(self._values)
+        self._show_values()
 
     def store(self) -> None:
         self._form.store()
@@ -47,7 +54,7 @@ class ControlEditor:
     def _add_condition(self, layout) -> None:
         self._condition = QtGui.QComboBox()
         self._condition.setObjectName("AdvLayers_condition")
-        self._condition.addItems(list(controls.CONDITIONS))
+        self._condition.addItems(list(condition_texts().values()))
         self._condition.setCurrentIndex(controls.CONDITIONS.index(self._control.Condition))
         self._condition.setToolTip(self._control.getDocumentationOfProperty("Condition"))
         self._condition.currentIndexChanged.connect(self._set_condition)
@@ -61,11 +68,23 @@ class ControlEditor:
 
     def _set_condition(self, index: int) -> None:
         self._control.Condition = controls.CONDITIONS[index]
+        self._show_values()
         self._on_change()
+
+    def _show_values(self) -> None:
+        """Only a wall that layers grow from has any."""
+        self._values.setVisible(getattr(self._control, "Condition", _GROWING) == _GROWING)
 
     def _refer(self, names: List[str]) -> None:
         self._control.References = link_value(self._source, names)
         self._on_change()
+
+
+def condition_texts() -> Dict[str, str]:
+    """The conditions of a wall, in their order, in the user's language."""
+    texts = {"Wall": tr("Wall"), "Match": tr("Match"), "Off": tr("Off"),
+             "Boundary": tr("Boundary"), "Smooth": tr("Smooth")}
+    return {condition: texts[condition] for condition in controls.CONDITIONS}
 
 
 def references_of(control, source) -> List[str]:

@@ -36,7 +36,8 @@ class ControlPanel(TaskPanel):
         return super().accept()
 
     def _changed(self) -> None:
-        self._message.setText(self._preview_heights(self._mesh_object))
+        wrong = self._preview_heights(self._mesh_object)
+        self._message.setText(wrong or self.heights.caption())
 
     def _clean_up(self) -> None:
         self._pick_bar.picks.end()

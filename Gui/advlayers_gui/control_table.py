@@ -9,8 +9,9 @@ from advlayers import controls
 from advlayers.errors import InputError
 from advlayers.language import tr
 from advlayers.properties import property_name
-from advlayers_gui.control_editor import ControlEditor, references_of
+from advlayers_gui.control_editor import ControlEditor, condition_texts, references_of
 from advlayers_gui.picking import PickSession
+from advlayers_gui.setting_fields import label_of
 
 _KIND, _NAME, _ON, _VALUES = range(4)
 
@@ -61,43 +62,43 @@ class ControlTable:
 
     def _buttons(self):
         grid = QtGui.QGridLayout()
-        for place, (name, text, doc, kind, condition) in enumerate((
-                ("Wall", tr("Wall"),
-                 tr("Layers grow from the selected edges; with faces selected too, on these "
-                    "alone"), controls.Wall, "Wall"),
-                ("Match", tr("Match"),
-                 tr("Layers run along the selected edges"),
-                 controls.Wall, "Match"),
-                ("Off", tr("Off"),
-                 tr("No layers at the selected edges"), controls.Wall, "Off"),
-                ("Boundary", tr("Boundary"),
-                 tr("The selected edges bound their faces, however smoothly these meet"),
-                 controls.Wall, "Boundary"),
-                ("Smooth", tr("Smooth"),
-                 tr("Layers run across the selected edges, however sharply their faces meet"),
-                 controls.Wall, "Smooth"),
-                ("Size", tr("Size"),
-                 tr("A size of their own for the selected faces and edges"),
-                 controls.Size, ""),
-                ("Group", tr("Group"),
-                 tr("A named group of the selected faces and edges"),
-                 controls.Group, ""))):
-            button = QtGui.QToolButton()
-            button.setText("+ " + text)
-            button.setToolTip(doc)
-            button.setObjectName(f"AdvLayersAdd{name}")
-            button.clicked.connect(
-                lambda _checked=False, kind=kind, condition=condition: self._add(kind, condition))
-            button.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
-            grid.addWidget(button, *divmod(place, 3))
-        remove = QtGui.QToolButton()
-        remove.setText("− " + tr("Remove"))
-        remove.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+        wall = self._adder(
+            controls.Wall, tr("Wall"),
+            tr("Layers grow from the selected edges; with faces selected too, on these alone"))
+        wall.setMenu(self._other_conditions(wall))
+        wall.setPopupMode(QtGui.QToolButton.MenuButtonPopup)
+        size = self._adder(
+            controls.Size, tr("Size"),
+            tr("A size of their own for the selected faces, edges and vertices"))
+        group = self._adder(controls.Group, tr("Group"),
+                            tr("A named group of the selected faces and edges"))
+        remove = _button("− " + tr("Remove"), tr("Removes the marked row"), self._remove)
         remove.setObjectName("AdvLayersRemoveControl")
-        remove.setToolTip(tr("Removes the marked row"))
-        remove.clicked.connect(self._remove)
-        grid.addWidget(remove, 2, 1, 1, 2)
+        for place, button in enumerate((wall, size, group, remove)):
+            grid.addWidget(button, *divmod(place, 2))
         return grid
+
+    def _adder(self, kind, text: str, doc: str):
+        button = _button("+ " + text, doc, lambda: self._add(kind, ""))
+        button.setObjectName(f"AdvLayersAdd{kind.__name__}")
+        return button
+
+    def _other_conditions(self, parent):
+        menu = QtGui.QMenu(parent)
+        menu.setToolTipsVisible(True)
+        for condition, doc in (
+                ("Match", tr("Layers run along the selected edges")),
+                ("Off", tr("No layers at the selected edges")),
+                ("Boundary",
+                 tr("The selected edges bound their faces, however smoothly these meet")),
+                ("Smooth",
+                 tr("Layers run across the selected edges, however sharply their faces meet"))):
+            action = menu.addAction("+ " + condition_texts()[condition])
+            action.setObjectName(f"AdvLayersAdd{condition}")
+            action.setToolTip(doc)
+            action.triggered.connect(
+                lambda _checked=False, condition=condition: self._add(controls.Wall, condition))
+        return menu
 
     def _make_table(self):
         self._table = QtGui.QTableWidget(0, 4)
@@ -120,14 +121,15 @@ class ControlTable:
         if isinstance(control.Proxy, controls.Wall):
             choice = QtGui.QComboBox()
             choice.setObjectName(f"AdvLayersCondition{row}")
-            choice.addItems(list(controls.CONDITIONS))
+            choice.addItems(list(condition_texts().values()))
             choice.setCurrentIndex(controls.CONDITIONS.index(control.Condition))
             choice.currentIndexChanged.connect(
                 lambda index, control=control: self._set_condition(control, index))
             self._table.setCellWidget(row, _KIND, choice)
         else:
             self._table.removeCellWidget(row, _KIND)
-        texts = {_KIND: type(control.Proxy).__name__, _NAME: control.Label,
+        kind = {controls.Size: tr("Size"), controls.Group: tr("Group")}.get(type(control.Proxy), "")
+        texts = {_KIND: kind, _NAME: control.Label,
                  _ON: ", ".join(references_of(control, self._mesh_object.Part)),
                  _VALUES: _values_text(control)}
         for column, text in texts.items():
@@ -201,6 +203,15 @@ class ControlTable:
         self._on_change()
 
 
+def _button(text: str, doc: str, act: Callable[[], None]):
+    button = QtGui.QToolButton()
+    button.setText(text)
+    button.setToolTip(doc)
+    button.clicked.connect(lambda _checked=False: act())
+    button.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+    return button
+
+
 def _values_text(control) -> str:
     """ "First height 0.1 mm, Layers 5": the values that are given, in the user's units."""
     parts = []
@@ -209,5 +220,5 @@ def _values_text(control) -> str:
             value = getattr(control, property_name(entry))
             shown = value.UserString if hasattr(value, "UserString") else f"{value:g}" \
                 if isinstance(value, float) else str(value)
-            parts.append(f"{entry.key.replace('_', ' ')} {shown}")
+            parts.append(f"{label_of(entry)} {shown}")
     return ", ".join(parts)

@@ -3,17 +3,20 @@ from __future__ import annotations
 
 from typing import Any, Iterable, List
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 
 from advlayers.height_lines import WallLines
+from advlayers.language import tr
 
 _FIRST_COLOUR = (0.10, 0.45, 0.85)
 _LAST_COLOUR = (0.93, 0.50, 0.10)
 
 
 class HeightPreview:
-    """Blue: the top of the first layer; orange: that of the last one, where their number is set."""
+    """Blue: the top of the first layer; orange: that of the last one, where their number is set.
+    caption() says so, with the heights."""
 
     def __init__(self) -> None:
         self.lines: List[WallLines] = []  # shown
@@ -27,6 +30,17 @@ class HeightPreview:
 
     def unhide(self) -> None:
         self._switch.whichChild = coin.SO_SWITCH_ALL
+
+    def caption(self) -> str:
+        """What is shown; empty where nothing is."""
+        parts = []
+        for text, heights in (
+                (tr("first height {} (blue)"), [line.first_heights for line in self.lines]),
+                (tr("all layers {} (orange)"), [line.totals for line in self.lines])):
+            values = np.concatenate(heights) if heights else np.zeros(0)
+            if len(values):
+                parts.append(text.format(_range(values)))
+        return tr("Preview: {}").format(", ".join(parts)) if parts else ""
 
     def clear(self) -> None:
         self.lines = []
@@ -49,6 +63,13 @@ class HeightPreview:
         rungs = [np.array([foot, last]) for line in ends
                  for foot, last in zip(line.foot, line.last)]
         self._lines.addChild(_polylines(rungs, _LAST_COLOUR))
+
+
+def _range(lengths) -> str:
+    """From the least to the largest, in the user's units."""
+    ends = [FreeCAD.Units.Quantity(float(length), FreeCAD.Units.Length).UserString
+            for length in (lengths.min(), lengths.max())]
+    return " – ".join(dict.fromkeys(ends))
 
 
 def _polylines(polylines: List[Any], colour):

@@ -18,7 +18,7 @@ from advlayers_gui.mesh_task import Canvas, Outcome
 from advlayers_gui.pick_bar import PickBar
 from advlayers_gui.reference_list import ReferenceList
 from advlayers_gui.results_page import ResultsPage
-from advlayers_gui.run_box import RunBox
+from advlayers_gui.run_box import RunBox, state_text
 from advlayers_gui.setting_fields import SettingsForm
 from advlayers_gui.task_panel import TaskPanel
 from advlayers_gui.view_3d import Overlay, look_at
@@ -144,6 +144,7 @@ class MeshPanel(TaskPanel):
     def _settings_tab(self):
         tab = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(tab)
+        layout.setContentsMargins(4, 4, 4, 4)
         faces = QtGui.QGroupBox(tr("Faces of {}").format(
             self._object.Part.Label))
         inside = QtGui.QVBoxLayout(faces)
@@ -206,7 +207,8 @@ class MeshPanel(TaskPanel):
             self._run.say(wrong)
         elif not self._run.running:
             layer_mesh.refresh_state(self._object)
-            self._run.say(self._object.State)
+            lines = (state_text(self._object), self.heights.caption())
+            self._run.say("\n".join(filter(None, lines)))
 
     # --- meshing ------------------------------------------------------------------------------
 
@@ -231,6 +233,7 @@ class MeshPanel(TaskPanel):
     # --- the view -----------------------------------------------------------------------------
 
     def _turned_to(self, tab: int) -> None:
+        self._pick_bar.widget.setVisible(tab != _RESULTS_TAB)
         if tab == _RESULTS_TAB and self._data is not None:
             self._show_mesh()
         elif not self._run.running:
@@ -255,7 +258,8 @@ class MeshPanel(TaskPanel):
         if self._data is not None:
             self._scene.show(self._data, field)
 
-    def _look(self, place: Optional[Place]) -> None:
+    def _look(self, place: Optional[Place], text: str) -> None:
+        self._run.say(text)
         self._mark.removeAllChildren()
         if place is not None:
             look_at(self._object.Document, place.point, place.normal, place.width)

@@ -10,32 +10,26 @@ from advlayers import check
 from advlayers.check import Finding
 from advlayers.language import tr
 from advlayers.mesh_data import FIELDS, HEIGHT, QUALITY, MeshData, Place
+from advlayers_gui.colours import title_of
 from advlayers_gui.histogram import BARS, Histogram
 
-_SHOWN_FIGURES = (
-    ("nodes", "Nodes", "{}"), ("quads", "Quads", "{}"), ("triangles", "Triangles", "{}"),
-    ("quad_percent", "Quads among all", "{:.1f} %"),
-    ("layer_quad_percent", "Quads in layers", "{:.1f} %"),
-    ("angles_45_135_percent", "Angles 45–135°", "{:.1f} %"),
-    ("min_angle", "Smallest angle", "{:.1f}°"), ("max_angle", "Largest angle", "{:.1f}°"),
-    ("inverted", "Inverted", "{}"),
-)
-_HEADERS = ("Edge", "Face", "Height asked", "Height got", "Growth", "Layers", "Ended by")
 _ICONS = {"error": QtGui.QStyle.SP_MessageBoxCritical,
           "warning": QtGui.QStyle.SP_MessageBoxWarning,
           "info": QtGui.QStyle.SP_MessageBoxInformation}
 
 
 class ResultsPage:
-    """`on_field` gets the field to colour by; `on_place` where to look at, None for nothing."""
+    """`on_field` gets the field to colour by; `on_place` where to look at, None for nowhere, and
+    what there is to see."""
 
     def __init__(self, on_field: Callable[[str], None],
-                 on_place: Callable[[Optional[Place]], None]) -> None:
+                 on_place: Callable[[Optional[Place], str], None]) -> None:
         self._on_field, self._on_place = on_field, on_place
         self._data: Optional[MeshData] = None
         self._findings: List[Finding] = []
         self.widget = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(self.widget)
+        layout.setContentsMargins(4, 4, 4, 4)
         self._figures = QtGui.QLabel(tr("There is no mesh yet."))
         self._figures.setObjectName("AdvLayersFigures")
         self._figures.setWordWrap(True)
@@ -45,10 +39,6 @@ class ResultsPage:
         layout.addWidget(self._histogram)
         layout.addWidget(self._make_walls())
         layout.addWidget(self._make_findings())
-        self._reason = QtGui.QLabel()
-        self._reason.setObjectName("AdvLayersReason")
-        self._reason.setWordWrap(True)
-        layout.addWidget(self._reason)
 
     @property
     def field(self) -> str:
@@ -58,7 +48,6 @@ class ResultsPage:
         """The mesh, where there is one; the remarks are listed with what the mesh gives cause
         for."""
         self._data = data
-        self._reason.clear()
         self._findings = check.by_severity([*remarks, *(check.of_mesh(data) if data else ())])
         self._fill_findings()
         if data is not None:
@@ -73,17 +62,20 @@ class ResultsPage:
         row.addWidget(QtGui.QLabel(tr("Colour by")))
         self._choice = QtGui.QComboBox()
         self._choice.setObjectName("AdvLayersField")
-        self._choice.addItems([tr(name) for name in FIELDS])
+        self._choice.addItems([title_of(field) for field in FIELDS])
         self._choice.currentIndexChanged.connect(lambda index: self._on_field(FIELDS[index]))
         row.addWidget(self._choice, 1)
         return row
 
     def _make_walls(self):
-        self._walls = QtGui.QTableWidget(0, len(_HEADERS))
+        headers = [tr("Edge"), tr("Face"), tr("Height asked"), tr("Height got"), tr("Growth"),
+                   tr("Layers"), tr("Ended by")]
+        self._walls = QtGui.QTableWidget(0, len(headers))
         self._walls.setObjectName("AdvLayersWalls")
-        self._walls.setHorizontalHeaderLabels(
-            [tr(header) for header in _HEADERS])
-        self._walls.verticalHeader().setVisible(False)
+        self._walls.setHorizontalHeaderLabels(headers)
+        rows = self._walls.verticalHeader()
+        rows.setVisible(False)
+        rows.setDefaultSectionSize(self._walls.fontMetrics().height() + 6)
         self._walls.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self._walls.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self._walls.setMinimumHeight(130)
@@ -131,18 +123,18 @@ class ResultsPage:
         low, high = bar / BARS, (bar + 1) / BARS
         element = self._data.worst((quality >= low) & ((quality < high) | (bar == BARS - 1)))
         if element >= 0:
-            self._look(self._data.place_of(element), tr("element {}: quality {:.2f}").format(
-                element + 1, quality[element]))
+            text = tr("element {}: quality {:.2f}").format(element + 1, quality[element])
+            self._on_place(self._data.place_of(element), text)
 
     def _pick_finding(self, row: int) -> None:
         finding = self._findings[row]
         if finding.wall >= 0:
             self._pick_wall(finding.wall)
         elif finding.element >= 0:
-            self._look(self._data.place_of(finding.element), finding.text)
+            self._on_place(self._data.place_of(finding.element), finding.text)
         else:
-            self._look(self._data.place_near(finding.point) if finding.point else None,
-                       finding.text)
+            place = self._data.place_near(finding.point) if finding.point else None
+            self._on_place(place, finding.text)
 
     def _pick_wall(self, row: int) -> None:
         """Where layers stopped early, if any; else where the first height is most off."""
@@ -151,20 +143,16 @@ class ResultsPage:
         if point is not None:
             text = tr("{edge} on {face}: layers end here first: {reason}").format(
                 edge=wall["edge"], face=wall["face"], reason=stop_text(reason))
-            self._look(self._data.place_near(point), text)
+            self._on_place(self._data.place_near(point), text)
             return
         element = self._data.worst_height(int(wall["edge"][4:]), int(wall["face"][4:]))
         if element < 0:
-            self._look(None, tr("{edge} on {face} has no layer").format(
+            self._on_place(None, tr("{edge} on {face} has no layer").format(
                 edge=wall["edge"], face=wall["face"]))
             return
         text = tr("{edge} on {face}: the first height is most off here, by {error:+.1f} %").format(
             edge=wall["edge"], face=wall["face"], error=self._data.field(HEIGHT)[element])
-        self._look(self._data.place_of(element), text)
-
-    def _look(self, place: Optional[Place], text: str) -> None:
-        self._reason.setText(text)
-        self._on_place(place)
+        self._on_place(self._data.place_of(element), text)
 
 
 # Ends that are no shortfall: there was nowhere to go on, or no need to.
@@ -193,9 +181,28 @@ def _early_stop(wall: Mapping[str, Any]):
 
 
 def _figures_text(report: Mapping[str, Any]) -> str:
-    shown = [f"{tr(label)}: <b>{form.format(report[key])}</b>"
-             for key, label, form in _SHOWN_FIGURES if key in report]
-    return " · ".join(shown)
+    """A table: what, how many, what share of all."""
+    if "nodes" not in report:
+        return ""
+    rows = [
+        (tr("Quads"), report["quads"], _percent(report["quad_percent"])),
+        (tr("in layers"), "", _percent(report["layer_quad_percent"])),
+        (tr("Triangles"), report["triangles"], _percent(100.0 - report["quad_percent"])),
+        (tr("Nodes"), report["nodes"], ""),
+        (tr("Angles from"), f"{report['min_angle']:.1f}°", ""),
+        (tr("to"), f"{report['max_angle']:.1f}°", ""),
+        (tr("within 45–135°"), "", _percent(report["angles_45_135_percent"])),
+    ]
+    if report["inverted"]:
+        rows.append((tr("Inverted"), report["inverted"], ""))
+    cells = "".join(
+        f"<tr><td>{name}&nbsp;</td><td align='right'><b>{value}</b>&nbsp;</td>"
+        f"<td align='right'>{share}</td></tr>" for name, value, share in rows)
+    return f"<table width='100%'>{cells}</table>"
+
+
+def _percent(number: float) -> str:
+    return f"{number:.1f}&nbsp;%"
 
 
 def _wall_texts(wall: Mapping[str, Any]) -> List[str]:

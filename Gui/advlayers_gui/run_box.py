@@ -35,7 +35,7 @@ class RunBox:
         self._bar.setObjectName("AdvLayersProgress")
         self._bar.setTextVisible(False)
         self._bar.hide()
-        self._status = QtGui.QLabel(mesh_object.State)
+        self._status = QtGui.QLabel(state_text(mesh_object))
         self._status.setObjectName("AdvLayersStatus")
         self._status.setWordWrap(True)
         for part in (self._button, self._bar, self._status):
@@ -112,6 +112,13 @@ class RunBox:
         self._button.setText(tr("Mesh"))
         self._bar.hide()
         return seconds
+
+
+def state_text(mesh_object) -> str:
+    """In the user's language."""
+    return {layer_mesh.NOT_MESHED: tr("Not meshed"), layer_mesh.UP_TO_DATE: tr("Up to date"),
+            layer_mesh.OUT_OF_DATE: tr("Out of date"),
+            layer_mesh.LOST_REFERENCES: tr("Lost references")}[mesh_object.State]
 
 
 def status_text(progress: Progress) -> str:

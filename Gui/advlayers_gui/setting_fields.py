@@ -14,6 +14,7 @@ from advlayers.settings_table import Setting, unset_value
 _HIGHEST = 1e9  # where a setting has no bound of its own
 _HIGHEST_NUMBER = 1000.0  # of numbers without a unit: growths and ratios
 _MOST = 1_000_000
+_LEAST_WIDTH = 70  # [pixels] of a field: the task panel is narrow, and cuts off what is wider
 
 
 class Field:
@@ -229,7 +230,8 @@ class SettingsForm:
                  optional: bool = False) -> None:
         """`optional`: each row has a box to tick for a value that is given."""
         self._object, self._on_edited, self._on_refused = document_object, on_edited, on_refused
-        layout.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+        layout.setRowWrapPolicy(QtGui.QFormLayout.DontWrapRows)
+        layout.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
         self._fields: List[Field] = []
         self._given: List[Optional[Any]] = []
         for entry in entries:
@@ -243,6 +245,7 @@ class SettingsForm:
         field = field_for(entry)
         name = f"{type(self._object.Proxy).__name__}_{entry.key}"
         field.widget.setObjectName(name)
+        field.widget.setMinimumWidth(_LEAST_WIDTH)
         label = QtGui.QCheckBox(label_of(entry)) if optional else QtGui.QLabel(label_of(entry))
         label.setToolTip(entry.doc)
         if optional:

@@ -34,6 +34,7 @@ class TaskPanel:
         self._recording = Recording(document_object)
         self._left = False
         self.form = QtGui.QWidget()
+        self.form.setWindowIcon(QtGui.QIcon(document_object.ViewObject.Proxy.getIcon()))
 
     # --- what FreeCAD calls -------------------------------------------------------------------
 

@@ -243,8 +243,8 @@
         <translation>Eine benannte Gruppe der gewählten Flächen und Kanten</translation>
     </message>
     <message>
-        <source>A size of their own for the selected faces and edges</source>
-        <translation>Eine eigene Elementgröße für die gewählten Flächen und Kanten</translation>
+        <source>A size of their own for the selected faces, edges and vertices</source>
+        <translation>Eine eigene Elementgröße für die gewählten Flächen, Kanten und Punkte</translation>
     </message>
     <message>
         <source>Add</source>
@@ -257,6 +257,10 @@
     <message>
         <source>Advanced</source>
         <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Angles from</source>
+        <translation>Winkel von</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -291,12 +295,28 @@
         <translation>Krümmungswinkel</translation>
     </message>
     <message>
+        <source>Diagnostics</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
         <source>End height</source>
         <translation>Endhöhe</translation>
     </message>
     <message>
+        <source>Ended by</source>
+        <translation>Beendet durch</translation>
+    </message>
+    <message>
         <source>Export Mesh</source>
         <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>Face edges</source>
@@ -331,8 +351,28 @@
         <translation>Wachstum</translation>
     </message>
     <message>
+        <source>Height asked</source>
+        <translation>Höhe verlangt</translation>
+    </message>
+    <message>
+        <source>Height error [%]</source>
+        <translation>Höhenfehler [%]</translation>
+    </message>
+    <message>
+        <source>Height got</source>
+        <translation>Höhe erreicht</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgeklappt</translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Schicht</translation>
     </message>
     <message>
         <source>Layer Mesh</source>
@@ -363,6 +403,10 @@
         <translation>Ring</translation>
     </message>
     <message>
+        <source>Lost references</source>
+        <translation>Verlorene Bezüge</translation>
+    </message>
+    <message>
         <source>Match</source>
         <translation>Entlang</translation>
     </message>
@@ -379,6 +423,14 @@
         <translation>Keine Schichten an den gewählten Kanten</translation>
     </message>
     <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Not meshed</source>
+        <translation>Nicht vernetzt</translation>
+    </message>
+    <message>
         <source>Number</source>
         <translation>Anzahl</translation>
     </message>
@@ -391,8 +443,24 @@
         <translation>An</translation>
     </message>
     <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Teilfläche {patch} von {patches} · Schicht {layer}</translation>
+    </message>
+    <message>
+        <source>Preview: {}</source>
+        <translation>Vorschau: {}</translation>
+    </message>
+    <message>
+        <source>Quads</source>
+        <translation>Vierecke</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -519,6 +587,10 @@
         <translation>Threads</translation>
     </message>
     <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
         <source>Triangulating · {seconds:.1f} s</source>
         <translation>Dreiecke werden erzeugt · {seconds:.1f} s</translation>
     </message>
@@ -533,6 +605,10 @@
     <message>
         <source>Until they meet</source>
         <translation>Bis zum Treffen</translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation>Aktuell</translation>
     </message>
     <message>
         <source>Values</source>
@@ -559,6 +635,10 @@
         <translation>alle Schichten gebaut</translation>
     </message>
     <message>
+        <source>all layers {} (orange)</source>
+        <translation>alle Schichten {} (orange)</translation>
+    </message>
+    <message>
         <source>an edge</source>
         <translation>eine Kante</translation>
     </message>
@@ -579,8 +659,16 @@
         <translation>Element {}: Güte {:.2f}</translation>
     </message>
     <message>
+        <source>first height {} (blue)</source>
+        <translation>erste Höhe {} (blau)</translation>
+    </message>
+    <message>
         <source>in layer {}</source>
         <translation>in Schicht {}</translation>
+    </message>
+    <message>
+        <source>in layers</source>
+        <translation>in Schichten</translation>
     </message>
     <message>
         <source>in the core</source>
@@ -617,6 +705,14 @@
     <message>
         <source>the fronts have met</source>
         <translation>die Fronten sind zusammengetroffen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>within 45–135°</source>
+        <translation>in 45–135°</translation>
     </message>
     <message>
         <source>{edge} on {face} has no layer</source>

@@ -243,8 +243,8 @@
         <translation>Un groupe nommé des faces et arêtes sélectionnées</translation>
     </message>
     <message>
-        <source>A size of their own for the selected faces and edges</source>
-        <translation>Une taille propre pour les faces et arêtes sélectionnées</translation>
+        <source>A size of their own for the selected faces, edges and vertices</source>
+        <translation>Une taille propre aux faces, arêtes et sommets sélectionnés</translation>
     </message>
     <message>
         <source>Add</source>
@@ -257,6 +257,10 @@
     <message>
         <source>Advanced</source>
         <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>Angles from</source>
+        <translation>Angles de</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -291,12 +295,28 @@
         <translation>Angle de courbure</translation>
     </message>
     <message>
+        <source>Diagnostics</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Arête</translation>
+    </message>
+    <message>
         <source>End height</source>
         <translation>Hauteur finale</translation>
     </message>
     <message>
+        <source>Ended by</source>
+        <translation>Terminé par</translation>
+    </message>
+    <message>
         <source>Export Mesh</source>
         <translation>Exporter le maillage</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Face</translation>
     </message>
     <message>
         <source>Face edges</source>
@@ -331,8 +351,28 @@
         <translation>Croissance</translation>
     </message>
     <message>
+        <source>Height asked</source>
+        <translation>Hauteur voulue</translation>
+    </message>
+    <message>
+        <source>Height error [%]</source>
+        <translation>Erreur de hauteur [%]</translation>
+    </message>
+    <message>
+        <source>Height got</source>
+        <translation>Hauteur obtenue</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Retournés</translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Couche</translation>
     </message>
     <message>
         <source>Layer Mesh</source>
@@ -363,6 +403,10 @@
         <translation>Boucle</translation>
     </message>
     <message>
+        <source>Lost references</source>
+        <translation>Références perdues</translation>
+    </message>
+    <message>
         <source>Match</source>
         <translation>Suivre</translation>
     </message>
@@ -379,6 +423,14 @@
         <translation>Pas de couches aux arêtes sélectionnées</translation>
     </message>
     <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Not meshed</source>
+        <translation>Non maillé</translation>
+    </message>
+    <message>
         <source>Number</source>
         <translation>Nombre</translation>
     </message>
@@ -391,8 +443,24 @@
         <translation>Sur</translation>
     </message>
     <message>
+        <source>Out of date</source>
+        <translation>Périmé</translation>
+    </message>
+    <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Partie {patch} sur {patches} · couche {layer}</translation>
+    </message>
+    <message>
+        <source>Preview: {}</source>
+        <translation>Aperçu : {}</translation>
+    </message>
+    <message>
+        <source>Quads</source>
+        <translation>Quadrangles</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualité</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -519,6 +587,10 @@
         <translation>Fils d'exécution</translation>
     </message>
     <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
         <source>Triangulating · {seconds:.1f} s</source>
         <translation>Triangulation · {seconds:.1f} s</translation>
     </message>
@@ -533,6 +605,10 @@
     <message>
         <source>Until they meet</source>
         <translation>Jusqu'à la rencontre</translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation>À jour</translation>
     </message>
     <message>
         <source>Values</source>
@@ -559,6 +635,10 @@
         <translation>toutes les couches faites</translation>
     </message>
     <message>
+        <source>all layers {} (orange)</source>
+        <translation>toutes les couches {} (orange)</translation>
+    </message>
+    <message>
         <source>an edge</source>
         <translation>une arête</translation>
     </message>
@@ -579,8 +659,16 @@
         <translation>élément {} : qualité {:.2f}</translation>
     </message>
     <message>
+        <source>first height {} (blue)</source>
+        <translation>première hauteur {} (bleu)</translation>
+    </message>
+    <message>
         <source>in layer {}</source>
         <translation>dans la couche {}</translation>
+    </message>
+    <message>
+        <source>in layers</source>
+        <translation>dans les couches</translation>
     </message>
     <message>
         <source>in the core</source>
@@ -617,6 +705,14 @@
     <message>
         <source>the fronts have met</source>
         <translation>les fronts se sont rencontrés</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>within 45–135°</source>
+        <translation>dans 45–135°</translation>
     </message>
     <message>
         <source>{edge} on {face} has no layer</source>

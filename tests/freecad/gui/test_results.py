@@ -12,7 +12,8 @@ from PySide import QtCore, QtGui
 from advlayers import mesh_data
 from advlayers.mesh_data import FIELDS, HEIGHT, LAYERS, QUALITY
 from window import (
-    child, edit, events, mesh_until_done, panel_of, press_cancel, press_ok, screenshot, wait_for)
+    child, edit, events, mesh_until_done, panel_of, press_cancel, press_ok, screenshot, status,
+    wait_for)
 
 
 @pytest.fixture
@@ -100,7 +101,7 @@ def test_a_click_leads_to_the_place(mesh):
         edge, face = (int(walls.item(row, column).text()[4:]) for column in (0, 1))
         walls.cellClicked.emit(row, 0)
         events()
-        reason = child(QtGui.QLabel, "AdvLayersReason").text()
+        reason = status()
         assert f"Edge{edge} on Face{face}" in reason
         focus = Part.Vertex(*_focus(view))
         assert mesh.Part.Shape.Faces[face - 1].distToShape(focus)[0] < 1e-3
@@ -111,7 +112,7 @@ def test_a_click_leads_to_the_place(mesh):
         QtCore.QEvent.MouseButtonPress, where, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton,
         QtCore.Qt.NoModifier))
     worst = data.worst()
-    assert f"element {worst + 1}" in child(QtGui.QLabel, "AdvLayersReason").text()
+    assert f"element {worst + 1}" in status()
     assert np.linalg.norm(_focus(view) - data.place_of(worst).point) < 1e-3
     screenshot("worst.png")
     press_cancel()
@@ -130,7 +131,7 @@ def test_findings_lead_to_their_place(mesh):
     before = _focus(FreeCADGui.getDocument(mesh.Document.Name).ActiveView)
     findings.setCurrentRow(rows[0])
     findings.itemClicked.emit(findings.item(rows[0]))
-    reason = child(QtGui.QLabel, "AdvLayersReason").text()
+    reason = status()
     assert name in reason and "layers end here first" in reason
     after = _focus(FreeCADGui.getDocument(mesh.Document.Name).ActiveView)
     face = mesh.Part.Shape.Faces[int(name.rsplit("Face", 1)[1]) - 1]

@@ -6,8 +6,8 @@ import pytest
 from PySide import QtGui
 
 from window import (
-    child, click, edit, events, mesh_until_done, panel_of, press_cancel, press_ok, screenshot,
-    select, status)
+    child, choose, click, edit, events, mesh_until_done, panel_of, press_cancel, press_ok,
+    screenshot, select, status)
 
 
 @pytest.fixture
@@ -117,7 +117,7 @@ def test_conditions_in_the_table(mesh, box):
     select((box, "Edge1"), (box, "Edge2"))
     click("AdvLayersAddWall")
     select((box, "Edge5"))
-    click("AdvLayersAddOff")
+    choose("AdvLayersAddOff")
     select((box, "Face6"))
     click("AdvLayersAddGroup")
     assert table().rowCount() == 3
@@ -125,7 +125,7 @@ def test_conditions_in_the_table(mesh, box):
     table().cellWidget(1, 0).setCurrentIndex(1)
     assert mesh.WallList[1].Condition == "Match"
     select((box, "Edge7"))
-    click("AdvLayersAddBoundary")
+    choose("AdvLayersAddBoundary")
     assert mesh.WallList[2].Condition == "Boundary"
     click("AdvLayersRemoveControl")
     table().item(2, 1).setText("inlet")
@@ -136,7 +136,7 @@ def test_conditions_in_the_table(mesh, box):
     child(QtGui.QWidget, "Wall_first_height").setProperty("rawValue", 0.3)
     child(QtGui.QCheckBox, "Wall_layers_given").setChecked(True)
     child(QtGui.QSpinBox, "Wall_layers").setValue(4)
-    assert "layers 4" in table().item(0, 3).text()
+    assert "Layers 4" in table().item(0, 3).text()
     table().itemClicked.emit(table().item(0, 2))
     assert selected_names() == ["Edge1", "Edge2"]
     screenshot("walls.png")

@@ -10,10 +10,15 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(
 PICTURES = os.path.join(ROOT, "out", "gui")
 
 
+_DEFERRED_DELETE = 52  # QEvent.DeferredDelete: a number for Qt 5, an enumeration for Qt 6
+
+
 def events(seconds=0.05):
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         QtGui.QApplication.processEvents()
+        # Within a test Qt never comes back to the loop that would do this.
+        QtCore.QCoreApplication.sendPostedEvents(None, _DEFERRED_DELETE)
         time.sleep(0.005)
 
 
@@ -79,6 +84,12 @@ def child(kind, name):
 
 def click(name):
     child(QtGui.QAbstractButton, name).click()
+    events()
+
+
+def choose(name):
+    """An entry of a button's menu."""
+    child(QtGui.QAction, name).trigger()
     events()
 
 
