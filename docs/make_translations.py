@@ -69,6 +69,7 @@ def _of_tables():
         if entry.property:
             yield PROPERTY, entry.doc
             yield WINDOW, _label(entry)
+        yield from ((WINDOW, choice) for choice in entry.choices)
     radius = table.setting("radius", table.REFINEMENT_SETTINGS)
     for entry in (*table.WALL_SETTINGS, *table.SIZE_SETTINGS, radius):
         if entry.key not in ("edges", "faces"):

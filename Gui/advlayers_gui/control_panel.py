@@ -19,6 +19,7 @@ class ControlPanel(TaskPanel):
         self._remember_visibility(source, self._mesh_object)
         self.form.setWindowTitle(control.Label)
         layout = QtGui.QVBoxLayout(self.form)
+        layout.setContentsMargins(4, 4, 4, 4)
         self._message = QtGui.QLabel()
         self._message.setObjectName("AdvLayersStatus")
         self._message.setWordWrap(True)

@@ -11,6 +11,7 @@ from advlayers.language import tr
 from advlayers.properties import property_name
 from advlayers_gui.control_editor import ControlEditor, condition_texts, references_of
 from advlayers_gui.picking import PickSession
+from advlayers_gui.reference_list import tool_button
 from advlayers_gui.setting_fields import label_of
 
 _KIND, _NAME, _ON, _VALUES = range(4)
@@ -72,14 +73,15 @@ class ControlTable:
             tr("A size of their own for the selected faces, edges and vertices"))
         group = self._adder(controls.Group, tr("Group"),
                             tr("A named group of the selected faces and edges"))
-        remove = _button("− " + tr("Remove"), tr("Removes the marked row"), self._remove)
+        remove = tool_button("− " + tr("Remove"), tr("Removes the marked row"), self._remove)
         remove.setObjectName("AdvLayersRemoveControl")
         for place, button in enumerate((wall, size, group, remove)):
+            button.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
             grid.addWidget(button, *divmod(place, 2))
         return grid
 
     def _adder(self, kind, text: str, doc: str):
-        button = _button("+ " + text, doc, lambda: self._add(kind, ""))
+        button = tool_button("+ " + text, doc, lambda: self._add(kind, ""))
         button.setObjectName(f"AdvLayersAdd{kind.__name__}")
         return button
 
@@ -201,15 +203,6 @@ class ControlTable:
             self._fill(row, control)
         self._table.blockSignals(False)
         self._on_change()
-
-
-def _button(text: str, doc: str, act: Callable[[], None]):
-    button = QtGui.QToolButton()
-    button.setText(text)
-    button.setToolTip(doc)
-    button.clicked.connect(lambda _checked=False: act())
-    button.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
-    return button
 
 
 def _values_text(control) -> str:

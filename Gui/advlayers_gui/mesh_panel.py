@@ -123,6 +123,7 @@ class MeshPanel(TaskPanel):
     def _build(self) -> None:
         self.form.setWindowTitle(tr("Layer Mesh"))
         layout = QtGui.QVBoxLayout(self.form)
+        layout.setContentsMargins(4, 4, 4, 4)
         self._run = RunBox(self._object, self._store,
                            _Canvas(self._scene, self._make_room), self._done, self._ended)
         self._pick_bar = PickBar(self._object.Part, controls.Size.KINDS, self._run.say)
@@ -179,9 +180,12 @@ class MeshPanel(TaskPanel):
         group.setCheckable(True)
         group.setChecked(False)
         inside = QtGui.QWidget()
-        QtGui.QVBoxLayout(group).addWidget(inside)
-        self._forms.append(SettingsForm(self._object, entries, QtGui.QFormLayout(inside),
-                                        self._changed, self._run.say))
+        around, form = QtGui.QVBoxLayout(group), QtGui.QFormLayout(inside)
+        for layout in (around, form):
+            layout.setContentsMargins(2, 0, 2, 0)
+        around.addWidget(inside)
+        self._forms.append(SettingsForm(self._object, entries, form, self._changed,
+                                        self._run.say))
         inside.setVisible(False)
         group.toggled.connect(inside.setVisible)
         return group

@@ -9,6 +9,7 @@ from advlayers import cad_input
 from advlayers.edge_chains import EdgeChains
 from advlayers.language import tr
 from advlayers_gui.picking import PickSession
+from advlayers_gui.reference_list import tool_button
 
 
 class PickBar:
@@ -37,11 +38,8 @@ class PickBar:
                 ("FaceEdges", tr("Face edges"),
                  tr("Selects all edges of the selected faces"),
                  self._of_faces)):
-            button = QtGui.QToolButton()
-            button.setText(text)
+            button = tool_button(text, doc, act)
             button.setObjectName(f"AdvLayersPick{name}")
-            button.setToolTip(doc)
-            button.clicked.connect(act)
             row.addWidget(button)
         row.addStretch()
         self._selection_changed()

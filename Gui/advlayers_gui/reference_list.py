@@ -25,14 +25,10 @@ class ReferenceList:
         self._list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self._list.setFixedHeight(4 * self._list.fontMetrics().height() + 16)
         self._list.itemClicked.connect(lambda _item: self._highlight())
-        add = QtGui.QPushButton(tr("Add"))
+        add = tool_button("+", tr("Adds what is selected in the 3D view"), self._add)
         add.setObjectName(f"AdvLayers_{name}_add")
-        add.setToolTip(tr("Adds what is selected in the 3D view"))
-        add.clicked.connect(self._add)
-        remove = QtGui.QPushButton(tr("Remove"))
+        remove = tool_button("−", tr("Takes the marked rows off the list"), self._remove)
         remove.setObjectName(f"AdvLayers_{name}_remove")
-        remove.setToolTip(tr("Takes the marked rows off the list"))
-        remove.clicked.connect(self._remove)
         layout = QtGui.QGridLayout(self.widget)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._list, 0, 0, 2, 1)
@@ -76,3 +72,11 @@ class ReferenceList:
     def _set(self, names: List[str]) -> None:
         self.show(names)
         self._on_change(names)
+
+
+def tool_button(text: str, doc: str, act: Callable[[], None]):
+    button = QtGui.QToolButton()
+    button.setText(text)
+    button.setToolTip(doc)
+    button.clicked.connect(lambda _checked=False: act())
+    return button

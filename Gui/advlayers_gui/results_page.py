@@ -62,6 +62,8 @@ class ResultsPage:
         row.addWidget(QtGui.QLabel(tr("Colour by")))
         self._choice = QtGui.QComboBox()
         self._choice.setObjectName("AdvLayersField")
+        self._choice.setMinimumContentsLength(6)
+        self._choice.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self._choice.addItems([title_of(field) for field in FIELDS])
         self._choice.currentIndexChanged.connect(lambda index: self._on_field(FIELDS[index]))
         row.addWidget(self._choice, 1)

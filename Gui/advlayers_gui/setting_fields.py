@@ -14,7 +14,7 @@ from advlayers.settings_table import Setting, unset_value
 _HIGHEST = 1e9  # where a setting has no bound of its own
 _HIGHEST_NUMBER = 1000.0  # of numbers without a unit: growths and ratios
 _MOST = 1_000_000
-_LEAST_WIDTH = 70  # [pixels] of a field: the task panel is narrow, and cuts off what is wider
+_LEAST_WIDTH = 66  # [pixels] of a field: the task panel is narrow, and cuts off what is wider
 
 
 class Field:
@@ -135,7 +135,8 @@ class LayersField(Field):
                               tr("Number")])
         self.number.setRange(1, _MOST)
         self.number.setKeyboardTracking(False)
-        self.choice.setMinimumContentsLength(6)
+        self.number.setMinimumWidth(_LEAST_WIDTH)
+        self.choice.setMinimumContentsLength(3)
         self.choice.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.choice.setObjectName("LayersEnd")
         self.number.setObjectName("LayersNumber")
@@ -163,10 +164,10 @@ class LayersField(Field):
 class ChoiceField(Field):
     def __init__(self, entry: Setting) -> None:
         super().__init__(entry, QtGui.QComboBox())
-        self.widget.addItems(list(entry.choices))
+        self.widget.addItems([tr(choice) for choice in entry.choices])
 
     def value(self) -> str:
-        return self.widget.currentText()
+        return self.entry.choices[self.widget.currentIndex()]
 
     def show(self, value: str) -> None:
         self.widget.setCurrentIndex(self.entry.choices.index(value))

@@ -247,10 +247,6 @@
         <translation>Eine eigene Elementgröße für die gewählten Flächen, Kanten und Punkte</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
         <source>Adds what is selected in the 3D view</source>
         <translation>Fügt hinzu, was in der 3D-Ansicht gewählt ist</translation>
     </message>
@@ -320,7 +316,7 @@
     </message>
     <message>
         <source>Face edges</source>
-        <translation>Kanten der Fläche</translation>
+        <translation>Ränder</translation>
     </message>
     <message>
         <source>Faces</source>
@@ -691,6 +687,10 @@
         <translation>wählen Sie eine Fläche, eine Kante oder einen Punkt von {}</translation>
     </message>
     <message>
+        <source>quads</source>
+        <translation>Vierecke</translation>
+    </message>
+    <message>
         <source>select faces or edges in the 3D view first</source>
         <translation>wählen Sie zuerst Flächen oder Kanten in der 3D-Ansicht</translation>
     </message>
@@ -709,6 +709,10 @@
     <message>
         <source>to</source>
         <translation>bis</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>within 45–135°</source>

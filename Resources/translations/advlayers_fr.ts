@@ -247,10 +247,6 @@
         <translation>Une taille propre aux faces, arêtes et sommets sélectionnés</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>Ajouter</translation>
-    </message>
-    <message>
         <source>Adds what is selected in the 3D view</source>
         <translation>Ajoute ce qui est sélectionné dans la vue 3D</translation>
     </message>
@@ -320,7 +316,7 @@
     </message>
     <message>
         <source>Face edges</source>
-        <translation>Arêtes de la face</translation>
+        <translation>Bords</translation>
     </message>
     <message>
         <source>Faces</source>
@@ -384,7 +380,7 @@
     </message>
     <message>
         <source>Layers from all edges</source>
-        <translation>Couches depuis toutes les arêtes</translation>
+        <translation>Couches sur toutes les arêtes</translation>
     </message>
     <message>
         <source>Layers grow from the selected edges; with faces selected too, on these alone</source>
@@ -536,7 +532,7 @@
     </message>
     <message>
         <source>Size growth</source>
-        <translation>Croissance de la taille</translation>
+        <translation>Progression</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -691,6 +687,10 @@
         <translation>choisissez une face, une arête ou un sommet de {}</translation>
     </message>
     <message>
+        <source>quads</source>
+        <translation>quadrangles</translation>
+    </message>
+    <message>
         <source>select faces or edges in the 3D view first</source>
         <translation>sélectionnez d'abord des faces ou des arêtes dans la vue 3D</translation>
     </message>
@@ -709,6 +709,10 @@
     <message>
         <source>to</source>
         <translation>à</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>triangles</translation>
     </message>
     <message>
         <source>within 45–135°</source>

@@ -5,13 +5,14 @@ import re
 import string
 import sys
 
+import advlayers
 import FreeCAD
 import FreeCADGui
 import pytest
 from PySide import QtCore, QtGui
 
 from advlayers.language import tr
-from window import ROOT, events
+from window import ROOT, child, edit, events, panel_of, press_cancel
 
 sys.path.append(os.path.join(ROOT, "docs"))
 import make_translations  # noqa: E402
@@ -62,3 +63,25 @@ def test_the_window_speaks_german():
         FreeCADGui.setLocale("English")
         events(0.2)
     assert tr("Stop") == "Stop"
+
+
+@pytest.mark.parametrize("language", ("English", "German", "French"))
+def test_the_panel_is_as_wide_as_its_room(box, language):
+    """Longer words would have the right side of every page cut off."""
+    FreeCADGui.setLocale(language)
+    try:
+        mesh = advlayers.make_layer_mesh(box, size=3.0)
+        advlayers.make_wall(mesh, ["Edge1"], first_height=0.2)
+        edit(mesh)
+        child(QtGui.QGroupBox, "AdvLayersAdvanced").setChecked(True)
+        child(QtGui.QTableWidget, "AdvLayersConditions").selectRow(0)
+        events()
+        form = panel_of(mesh).form
+        for page in range(3):
+            child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(page)
+            events()
+            assert form.visibleRegion().boundingRect().width() == form.width()
+        press_cancel()
+    finally:
+        FreeCADGui.setLocale("English")
+        events()
