@@ -32,6 +32,7 @@ class Scale:
     stops: Tuple[Tuple[float, float, float], ...]
     logarithmic: bool = False
     whole: bool = False  # the values are whole numbers
+    open_ended: bool = False  # there may be values beyond the ends; they have the ends' colours
 
     def rgb(self, values):
         """(n, 3) from 0 to 1"""
@@ -51,7 +52,8 @@ class Scale:
         if self.logarithmic:
             return f"{self.low * (self.high / self.low) ** share:.3g}"
         value = self.low + share * (self.high - self.low)
-        return f"{value:.0f}" if self.whole else f"{value:.3g}"
+        beyond = {0.0: "≤ ", 1.0: "≥ "}.get(share, "") if self.open_ended else ""
+        return beyond + (f"{value:.0f}" if self.whole else f"{value:.3g}")
 
     def _share(self, values):
         low, high = self.low, self.high
@@ -91,4 +93,4 @@ def aspect_scale(highest: float) -> Scale:
 
 
 def height_scale() -> Scale:
-    return Scale(title_of(HEIGHT), -10.0, 10.0, _SIGNED)
+    return Scale(title_of(HEIGHT), -10.0, 10.0, _SIGNED, open_ended=True)

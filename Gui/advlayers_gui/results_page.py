@@ -198,7 +198,7 @@ def _figures_text(report: Mapping[str, Any]) -> str:
     if report["inverted"]:
         rows.append((tr("Inverted"), report["inverted"], ""))
     cells = "".join(
-        f"<tr><td>{name}&nbsp;</td><td align='right'><b>{value}</b>&nbsp;</td>"
+        f"<tr><td style='white-space: pre'>{name} </td><td align='right'><b>{value}</b>&nbsp;</td>"
         f"<td align='right'>{share}</td></tr>" for name, value, share in rows)
     return f"<table width='100%'>{cells}</table>"
 

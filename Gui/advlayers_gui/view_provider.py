@@ -5,6 +5,7 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
+from pivy import coin
 
 from advlayers.controls import children, is_control, mesh_of
 from advlayers.errors import InputError
@@ -14,6 +15,8 @@ from advlayers.proxy import Stateless
 from advlayers_gui.command import show_error
 from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView
+
+_NOTHING = "Nothing"  # the display mode of what has no picture of its own
 
 
 class EditedInPanel:
@@ -97,6 +100,14 @@ class ControlView(Stateless, EditedInPanel):
 
     def attach(self, view_object) -> None:
         self._object = view_object.Object
+        # The tree shows what has no display mode in grey, like something hidden.
+        view_object.addDisplayMode(coin.SoGroup(), _NOTHING)
+
+    def getDisplayModes(self, _view_object):
+        return [_NOTHING]
+
+    def getDefaultDisplayMode(self) -> str:
+        return _NOTHING
 
     def getIcon(self) -> str:
         return icon(f"AdvLayers_{type(self._object.Proxy).__name__}")

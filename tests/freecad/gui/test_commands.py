@@ -44,8 +44,9 @@ def test_wall_size_and_group_of_what_is_selected(box, mesh):
         select((box, "Edge1"), (box, "Face3"))
         run(name)
         close_panel()
-        (child,) = getattr(mesh, kept)
-        assert child.References == [(box, ("Edge1", "Face3"))]
+        (made,) = getattr(mesh, kept)
+        assert made.References == [(box, ("Edge1", "Face3"))]
+        assert made.ViewObject.isVisible()  # else it is grey in the tree
     assert mesh.ViewObject.Proxy.claimChildren() == (
         mesh.WallList + mesh.SizeList + mesh.GroupList)
     screenshot("children.png")
