@@ -8,8 +8,10 @@ def height_errors(mesh):
     """(q + t,) height of each element over the one asked for, less 1; quads first, NaN in the core
     and where no parent-kid edge bounds the element.
 
-    The height is the mean length of the element's parent-kid edges; asked for is first_height *
-    growth^k of the wall that its column stands on (the mean of both walls at a corner)."""
+    The height is that of the element's kids over its side at the parents, square to it: where the
+    front has a corner, the edge to the kid is longer. The mean of all kids; asked for is
+    first_height * growth^k of the wall that the column stands on (the mean of both walls at a
+    corner)."""
     asked_first, growth = _wall_of_root(mesh)
     parent = np.asarray(mesh.node_parent)
     root = np.arange(len(parent))
@@ -17,11 +19,7 @@ def height_errors(mesh):
         root = np.where(parent[root] >= 0, parent[root], root)
     layer = np.asarray(mesh.node_layer)
     asked = asked_first[root] * growth[root] ** np.maximum(layer - 1, 0)
-    length = np.where(parent >= 0,
-                      np.linalg.norm(mesh.nodes - mesh.nodes[parent], axis=1), np.nan)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        error = length / asked - 1.0
-    return np.concatenate([_of_elements(cells, layers, parent, error)
+    return np.concatenate([_of_elements(mesh.nodes, cells, layers, parent, asked)
                            for cells, layers in ((mesh.quads, mesh.layer_of_quad),
                                                  (mesh.triangles, mesh.layer_of_triangle))])
 
@@ -42,14 +40,23 @@ def _wall_of_root(mesh):
         return heights / walls, growths / walls
 
 
-def _of_elements(cells, layers, parent, error):
-    """The mean error of the sides that are parent-kid edges."""
-    total, sides = np.zeros(len(cells)), np.zeros(len(cells))
-    for k in range(cells.shape[1]):
-        a, b = cells[:, k], cells[:, k - 1]
-        for kid, other in ((a, b), (b, a)):
-            side = (parent[kid] == other) & np.isfinite(error[kid])
-            total += np.where(side, error[kid], 0.0)
-            sides += side
-    known = (sides > 0) & (np.asarray(layers) > 0)
-    return np.where(known, total / np.maximum(sides, 1.0), np.nan)
+def _of_elements(nodes, cells, layers, parent, asked):
+    """The mean error over the kids whose parent is a corner of the element too."""
+    total, kids = np.zeros(len(cells)), np.zeros(len(cells))
+    corners = cells.shape[1]
+    for k in range(corners):
+        foot, ahead, behind = cells[:, k], cells[:, (k + 1) % corners], cells[:, k - 1]
+        for kid, along in ((ahead, behind), (behind, ahead)):
+            at = np.flatnonzero((parent[kid] == foot) & np.isfinite(asked[kid]))
+            start = nodes[foot[at]]
+            height = _distance(nodes[kid[at]] - start, nodes[along[at]] - start)
+            total[at] += height / asked[kid[at]] - 1.0
+            kids[at] += 1.0
+    known = (kids > 0) & (np.asarray(layers) > 0)
+    return np.where(known, total / np.maximum(kids, 1.0), np.nan)
+
+
+def _distance(points, along):
+    """Of points from the lines through the origin in the directions `along`."""
+    area = np.linalg.norm(np.cross(points, along), axis=1)
+    return area / np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny)
