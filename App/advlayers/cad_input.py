@@ -38,22 +38,23 @@ def check_readable(path: str, freecad: bool) -> None:
         raise InputError("input", f"needs FreeCAD to be read: run the job with freecadcmd: {path}")
 
 
-def read(core, path: str, wanted: Optional[str], freecad: bool) -> Cad:
-    """Reads the file. Raises InputError naming it."""
+def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: float = 0.0) -> Cad:
+    """Reads the file, and sews what it holds where the tolerance [mm] is not 0. Raises InputError
+    naming it."""
     ending = os.path.splitext(path)[1].lower()
     if wanted is not None and ending != ".fcstd":
         raise InputError("object", f"is for FCStd files only, got {wanted!r}")
     try:
         if not freecad:
-            return Cad(core.read_file(path))
+            return Cad(core.read_file(path, sew_tolerance))
         if ending == ".fcstd":
-            return _read_document(core, path, wanted)
+            return _read_document(core, path, wanted, sew_tolerance)
         shape = _read_mesh_as_shape(path) if ending == ".stl" else _read_shape(path)
     except (RuntimeError, ValueError, OSError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("input", f"cannot be used: {_one_line(error)}: {path}") from error
-    return Cad(_model(core, shape, path), shape)
+    return Cad(_model(core, shape, path, sew_tolerance), shape)
 
 
 def global_shape(document_object):
@@ -66,11 +67,11 @@ def global_shape(document_object):
     return shape
 
 
-def _model(core, shape, path: str):
+def _model(core, shape, path: str, sew_tolerance: float):
     if shape.isNull() or not shape.Faces:
         raise InputError("input", f"holds no face to mesh: {path}")
     try:
-        return core.read_brep(shape.exportBrepToString())
+        return core.read_brep(shape.exportBrepToString(), sew_tolerance)
     except (RuntimeError, ValueError) as error:
         raise InputError("input", f"cannot be used: {_one_line(error)}: {path}") from error
 
@@ -97,14 +98,14 @@ def _read_mesh_as_shape(path: str):
     return shape
 
 
-def _read_document(core, path: str, wanted: Optional[str]) -> Cad:
+def _read_document(core, path: str, wanted: Optional[str], sew_tolerance: float) -> Cad:
     import FreeCAD
 
     document = FreeCAD.openDocument(path, True)
     try:
         chosen, note = _choose(document, wanted, path)
         shape = global_shape(chosen)
-        return Cad(_model(core, shape, path), shape, chosen.Label, note)
+        return Cad(_model(core, shape, path, sew_tolerance), shape, chosen.Label, note)
     finally:
         FreeCAD.closeDocument(document.Name)
 

@@ -27,7 +27,7 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     core = load_core()
     begin = time.perf_counter()
     watch("reading", [])
-    cad = cad_input.read(core, job.input, job.object, in_freecad())
+    cad = cad_input.read(core, job.input, job.object, in_freecad(), job.settings["sew_tolerance"])
     check_names(job.settings, cad.model.face_count, cad.model.edge_count, job.input_name)
     seconds = {"read": time.perf_counter() - begin}
 

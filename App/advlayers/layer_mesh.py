@@ -153,7 +153,7 @@ class Task:
 
     def make_mesher(self, core):
         """Reads the shape; may run in any thread. Raises what the core raises."""
-        model = core.read_brep(self.brep)
+        model = core.read_brep(self.brep, self.made_from.settings["sew_tolerance"])
         return core.Mesher(model, core_settings(core, self.made_from.settings, model.diagonal))
 
     def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):

@@ -9,8 +9,10 @@ from advlayers.errors import Stopped
 
 
 def core_settings(core, settings: Mapping[str, Any], diagonal: float):
-    """The core's Settings from every key of MESH_SETTINGS but groups, lengths filled in."""
-    values: Dict[str, Any] = {key: value for key, value in settings.items() if key != "groups"}
+    """The core's Settings from every key of MESH_SETTINGS but those of other stages, lengths filled
+    in."""
+    values: Dict[str, Any] = {key: value for key, value in settings.items()
+                              if key not in ("groups", "sew_tolerance")}
     values.update(default_lengths(settings, diagonal))
     for key in ("match", "off", "boundary", "smooth"):
         values[key] = list(values[key])

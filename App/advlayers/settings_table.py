@@ -42,6 +42,13 @@ MESH_SETTINGS = (
         property="FeatureAngle", property_type="App::PropertyAngle", group="Geometry",
     ),
     Setting(
+        "sew_tolerance", "number", 0.0,
+        "Faces whose edges lie within this distance of each other are joined there before meshing; "
+        "0 joins none. Faces and edges keep their names.",
+        unit="mm", low=0.0,
+        property="SewTolerance", property_type="App::PropertyLength", group="Geometry",
+    ),
+    Setting(
         "size", "number", None,
         "Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the "
         "shape's bounding box.",

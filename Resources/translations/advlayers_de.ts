@@ -527,6 +527,10 @@
         <translation>Wählt den ganzen Ring der gewählten Kanten; ist auch eine Fläche gewählt, den auf der Fläche</translation>
     </message>
     <message>
+        <source>Sew tolerance</source>
+        <translation>Nähtoleranz</translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>Elementgröße</translation>
     </message>
@@ -800,6 +804,10 @@
     <message>
         <source>Faces that meet at an angle below this are meshed as one patch; layers run across the edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed with 20.</source>
         <translation>Flächen, die sich in einem kleineren Winkel treffen, werden als eine Teilfläche vernetzt; Schichten laufen über die Kante zwischen ihnen hinweg. Bei 0 ist jede CAD-Fläche eine Teilfläche für sich; eine STL-Datei wird mit 20 vernetzt.</translation>
+    </message>
+    <message>
+        <source>Faces whose edges lie within this distance of each other are joined there before meshing; 0 joins none. Faces and edges keep their names.</source>
+        <translation>Flächen, deren Kanten nicht weiter als dies voneinander liegen, werden dort vor dem Vernetzen verbunden; 0 verbindet keine. Flächen und Kanten behalten ihre Namen.</translation>
     </message>
     <message>
         <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>

@@ -527,6 +527,10 @@
         <translation>Sélectionne toute la boucle des arêtes sélectionnées ; si une face l'est aussi, celle de la face</translation>
     </message>
     <message>
+        <source>Sew tolerance</source>
+        <translation>Tolérance de couture</translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>Taille</translation>
     </message>
@@ -800,6 +804,10 @@
     <message>
         <source>Faces that meet at an angle below this are meshed as one patch; layers run across the edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed with 20.</source>
         <translation>Les faces qui se rencontrent sous un angle plus petit sont maillées d'un seul tenant ; les couches traversent l'arête entre elles. Avec 0, chaque face CAO est maillée pour elle-même ; un fichier STL est maillé avec 20.</translation>
+    </message>
+    <message>
+        <source>Faces whose edges lie within this distance of each other are joined there before meshing; 0 joins none. Faces and edges keep their names.</source>
+        <translation>Les faces dont les arêtes sont à cette distance au plus l’une de l’autre y sont jointes avant le maillage ; 0 n’en joint aucune. Faces et arêtes gardent leurs noms.</translation>
     </message>
     <message>
         <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>

@@ -3,28 +3,38 @@
 #include <memory>
 #include <string>
 
+#include "base/error.h"
 #include "bindings.h"
 #include "geometry/model.h"
+#include "setting_values.h"
 
 namespace py = pybind11;
 
 namespace advlayers::python {
 namespace {
 
-std::shared_ptr<Model> model_of_text(const std::string& text) {
-  const py::gil_scoped_release release;
-  return std::make_shared<Model>(read_brep(text));
+double tolerance_of(const py::object& value) {
+  const double tolerance = number(value, "sew_tolerance");
+  if (tolerance >= 0.0) return tolerance;
+  throw InvalidInput("sew_tolerance must be >= 0 mm, got " + shown(value));
 }
 
-std::shared_ptr<Model> model_of_file(const py::object& path) {
-  const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+std::shared_ptr<Model> model_of_text(const std::string& text, const py::object& sew_tolerance) {
+  const double tolerance = tolerance_of(sew_tolerance);
   const py::gil_scoped_release release;
-  return std::make_shared<Model>(read_file(name));
+  return std::make_shared<Model>(read_brep(text, tolerance));
+}
+
+std::shared_ptr<Model> model_of_file(const py::object& path, const py::object& sew_tolerance) {
+  const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const double tolerance = tolerance_of(sew_tolerance);
+  const py::gil_scoped_release release;
+  return std::make_shared<Model>(read_file(name, tolerance));
 }
 
 std::string describe(const Model& model) {
   return "<Model: " + std::to_string(model.faces().size()) + " faces, " +
-         std::to_string(model.edges().size()) + " edges, " +
+         std::to_string(model.given_edges()) + " edges, " +
          std::to_string(model.vertices().size()) + " vertices>";
 }
 
@@ -36,17 +46,20 @@ void bind_model(py::module_& module) {
       "A BRep, read once; made by read_brep() or read_file(). Faces, edges and vertices are\n"
       "numbered from 1, as FreeCAD numbers them.")
       .def_property_readonly("face_count", [](const Model& m) { return m.faces().size(); })
-      .def_property_readonly("edge_count", [](const Model& m) { return m.edges().size(); })
+      .def_property_readonly("edge_count", &Model::given_edges)
       .def_property_readonly("vertex_count", [](const Model& m) { return m.vertices().size(); })
       .def_property_readonly("diagonal", &Model::diagonal, "Diagonal of the bounding box [mm].")
       .def_property_readonly("closed", &Model::closed,
-                             "Whether every edge is used by exactly two face sides.")
+                             "Whether every edge of a face is used by exactly two face sides.")
       .def("__repr__", &describe);
-  module.def("read_brep", &model_of_text, py::arg("text"),
-             "Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it.\n\n"
-             "Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.");
-  module.def("read_file", &model_of_file, py::arg("path"),
-             "Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm.\n\n"
+  module.def(
+      "read_brep", &model_of_text, py::arg("text"), py::arg("sew_tolerance") = 0.0,
+      "Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges\n"
+      "lie within sew_tolerance [mm] of each other are joined there; 0: none are.\n\n"
+      "Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.");
+  module.def("read_file", &model_of_file, py::arg("path"), py::arg("sew_tolerance") = 0.0,
+             "Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as\n"
+             "read_brep() does.\n\n"
              "Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no\n"
              "face.");
 }

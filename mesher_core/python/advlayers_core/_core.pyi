@@ -31,16 +31,18 @@ class Model:
         """Diagonal of the bounding box [mm]."""
     @property
     def closed(self) -> bool:
-        """Whether every edge is used by exactly two face sides."""
+        """Whether every edge of a face is used by exactly two face sides."""
 
-def read_brep(text: str) -> Model:
-    """Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it.
+def read_brep(text: str, sew_tolerance: float = ...) -> Model:
+    """Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges lie
+    within sew_tolerance [mm] of each other are joined there; 0: none are.
 
     Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.
     """
 
-def read_file(path: Union[str, "os.PathLike[str]"]) -> Model:
-    """Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm.
+def read_file(path: Union[str, "os.PathLike[str]"], sew_tolerance: float = ...) -> Model:
+    """Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as
+    read_brep() does.
 
     Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no face.
     """

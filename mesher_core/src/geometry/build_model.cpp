@@ -203,9 +203,11 @@ std::vector<double> measure_dihedrals(Evaluator& evaluator) {
 Model build_model(std::unique_ptr<Model::Shape> shape) {
   return translated("shape", [&] {
     Model model;
-    TopExp::MapShapes(shape->root, TopAbs_FACE, shape->faces);
-    TopExp::MapShapes(shape->root, TopAbs_EDGE, shape->edges);
-    TopExp::MapShapes(shape->root, TopAbs_VERTEX, shape->vertices);
+    if (shape->faces.IsEmpty()) {
+      TopExp::MapShapes(shape->root, TopAbs_FACE, shape->faces);
+      TopExp::MapShapes(shape->root, TopAbs_EDGE, shape->edges);
+      TopExp::MapShapes(shape->root, TopAbs_VERTEX, shape->vertices);
+    }
     if (shape->faces.IsEmpty()) throw GeometryError("the shape holds no face");
     for (int i = 1; i <= shape->vertices.Extent(); ++i) {
       model.vertices_.push_back(build_vertex(shape->vertices(i)));

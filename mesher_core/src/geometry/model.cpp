@@ -30,17 +30,47 @@ const Pcurve* Model::Shape::pcurve(FaceId f, EdgeId e, int which) const {
   return it != of_face.end() && it->edge == e && it->which == which ? &*it : nullptr;
 }
 
-bool Model::closed() const {
+// By EdgeId; 0 for poles, and for edges of no face.
+std::vector<int> Model::side_counts() const {
   std::vector<int> sides(edges_.size(), 0);
   for (const Face& face : faces_) {
     for (const auto& loop : face.loops) {
-      for (const CoEdge& coedge : loop) ++sides[coedge.edge.index()];
+      for (const CoEdge& coedge : loop) sides[coedge.edge.index()] += coedge.degenerate ? 0 : 1;
     }
   }
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (!edges_[i].degenerate && sides[i] != 2) return false;
+  return sides;
+}
+
+bool Model::closed() const {
+  const std::vector<int> sides = side_counts();
+  const auto two_or_none = [](int count) { return count == 2 || count == 0; };
+  return !faces_.empty() && std::all_of(sides.begin(), sides.end(), two_or_none);
+}
+
+int Model::free_edges() const {
+  const std::vector<int> sides = side_counts();
+  return static_cast<int>(std::count(sides.begin(), sides.end(), 1));
+}
+
+std::size_t Model::given_edges() const { return sewn() ? shape_->pieces.size() : edges_.size(); }
+
+bool Model::sewn() const { return !shape_->pieces.empty(); }
+
+std::vector<EdgeId> Model::pieces(EdgeId given) const {
+  if (given.index() < shape_->pieces.size()) return shape_->pieces[given.index()];
+  return {given};
+}
+
+int Model::joined_edges() const {
+  std::vector<int> given(edges_.size(), 0);
+  for (const auto& pieces : shape_->pieces) {
+    for (const EdgeId piece : pieces) ++given[piece.index()];
   }
-  return !faces_.empty();
+  return static_cast<int>(
+      std::count_if(shape_->pieces.begin(), shape_->pieces.end(), [&](const auto& pieces) {
+        return std::any_of(pieces.begin(), pieces.end(),
+                           [&](EdgeId piece) { return given[piece.index()] > 1; });
+      }));
 }
 
 double Model::dihedral_angle(EdgeId e) const { return shape_->dihedral[e.index()]; }

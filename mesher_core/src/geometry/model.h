@@ -66,7 +66,17 @@ class Model {
   const Edge& edge(EdgeId e) const { return edges_[e.index()]; }
   const Vertex& vertex(VertexId v) const { return vertices_[v.index()]; }
   double diagonal() const { return diagonal_; }  // of the bounding box [mm]
-  bool closed() const;                           // every edge is used by exactly two face sides
+  bool closed() const;  // every edge of a face is used by exactly two face sides
+
+  // What the given shape's edge is in the model: itself, but where the shape was sewn. Edges that
+  // were joined have all become the same one; one that was cut has become several.
+  std::vector<EdgeId> pieces(EdgeId given) const;
+  bool sewn() const;
+  std::size_t given_edges() const;  // of the given shape; a sewn model may have some more
+  // Edges of the given shape that sewing joined to others, and edges of one face side that are
+  // left.
+  int joined_edges() const;
+  int free_edges() const;
 
   // The angle [rad] between the outward normals of the two face sides at an edge, the largest of
   // several samples: 0 where they continue each other, pi where there are not exactly two. The
@@ -77,6 +87,7 @@ class Model {
   const Shape& shape() const { return *shape_; }
 
  private:
+  std::vector<int> side_counts() const;
   friend Model build_model(std::unique_ptr<Shape> shape);
   std::unique_ptr<Shape> shape_;
   std::vector<Face> faces_;
@@ -88,12 +99,14 @@ class Model {
 std::string face_name(FaceId f);  // "Face3"
 std::string edge_name(EdgeId e);  // "Edge7"
 
-// Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it.
+// Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges lie within
+// `sew_tolerance` [mm] of each other are joined there; 0: none are.
 // Throws InvalidInput if the text is no BREP, GeometryError if it holds no face.
-Model read_brep(const std::string& text);
+Model read_brep(const std::string& text, double sew_tolerance = 0.0);
 
-// Reads .step .stp .iges .igs .brep .brp by the ending, in any case; lengths come out in mm.
+// Reads .step .stp .iges .igs .brep .brp by the ending, in any case; lengths come out in mm. Sews
+// as read_brep() does.
 // Throws InvalidInput for a missing or unreadable file, GeometryError if it holds no face.
-Model read_file(const std::string& path);
+Model read_file(const std::string& path, double sew_tolerance = 0.0);
 
 }  // namespace advlayers

@@ -39,6 +39,7 @@ struct Model::Shape {
   TopTools_IndexedMapOfShape faces, edges, vertices;
   std::vector<std::vector<Pcurve>> pcurves;  // by FaceId, sorted by edge and `which`
   std::vector<double> dihedral;              // [rad] by EdgeId
+  std::vector<std::vector<EdgeId>> pieces;   // of a sewn shape: by the given one's edges
 
   const TopoDS_Face& face(FaceId f) const;
   const TopoDS_Edge& edge(EdgeId e) const;
@@ -63,8 +64,8 @@ auto translated(const char* subject, Work&& work) -> decltype(work()) {
   }
 }
 
-// Maps the shape's entities and asks for everything the mesher needs of them.
-// Throws GeometryError if it holds no face.
+// Maps the shape's entities, unless sewing has done so, and asks for everything the mesher needs of
+// them. Throws GeometryError if it holds no face.
 Model build_model(std::unique_ptr<Model::Shape> shape);
 
 }  // namespace advlayers

@@ -22,6 +22,7 @@
 
 #include "geometry/brep_text.h"
 #include "geometry/occt_shape.h"
+#include "geometry/sew_shape.h"
 
 namespace advlayers {
 
@@ -170,21 +171,22 @@ TopoDS_Shape parse_brep_file(const std::string& text, const std::string& path) {
   }
 }
 
-Model model_of(const TopoDS_Shape& root) {
+Model model_of(const TopoDS_Shape& root, double sew_tolerance) {
   auto shape = std::make_unique<Model::Shape>();
   shape->root = root;
+  if (sew_tolerance > 0.0) sew_shape(*shape, sew_tolerance);
   return build_model(std::move(shape));
 }
 
 }  // namespace
 
-Model read_brep(const std::string& text) {
+Model read_brep(const std::string& text, double sew_tolerance) {
   const TopoDS_Shape root = parse_brep(text);
   if (root.IsNull()) throw InvalidInput("the text is no BREP shape");
-  return model_of(root);
+  return model_of(root, sew_tolerance);
 }
 
-Model read_file(const std::string& path) {
+Model read_file(const std::string& path, double sew_tolerance) {
   const std::string ending = ending_of(path);
   const bool brep = ending == "brep" || ending == "brp";
   const bool step = ending == "step" || ending == "stp";
@@ -211,7 +213,7 @@ Model read_file(const std::string& path) {
                        " file or holds none");
   }
   try {
-    return model_of(root);
+    return model_of(root, sew_tolerance);
   } catch (const GeometryError& error) {
     throw GeometryError(path + ": " + error.what());
   }

@@ -19,6 +19,7 @@
 #include "mesher/merge.h"
 #include "mesher/patch_job.h"
 #include "mesher/patch_plan.h"
+#include "mesher/sewn_edges.h"
 
 namespace advlayers {
 namespace {
@@ -56,6 +57,7 @@ struct Mesher::Impl {
   std::set<EdgeId> halve(const AskedEdges& asked, const std::vector<char>& chosen);
   void advance_all();
   void report_idle_walls(std::vector<Diagnostic>& diagnostics) const;
+  void report_sewing(std::vector<Diagnostic>& diagnostics) const;
   MeshResult finish();
   template <class Body>
   void for_each_job(const Body& body);
@@ -77,7 +79,9 @@ struct Mesher::Impl {
 };
 
 Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
-    : model(the_model), settings(the_settings), arena(arena_size(the_settings.threads)) {
+    : model(the_model),
+      settings(in_edges_of(the_model, the_settings)),
+      arena(arena_size(the_settings.threads)) {
   check(settings, model);
   for (std::vector<FaceId>& faces : group_faces(model, settings)) {
     jobs.push_back(
@@ -198,6 +202,16 @@ void Mesher::Impl::report_idle_walls(std::vector<Diagnostic>& diagnostics) const
   }
 }
 
+void Mesher::Impl::report_sewing(std::vector<Diagnostic>& diagnostics) const {
+  if (!model.sewn()) return;
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::kInfo;
+  diagnostic.code = "sewn";
+  diagnostic.text = "sewing joined " + std::to_string(model.joined_edges()) +
+                    " edges; free edges left: " + std::to_string(model.free_edges());
+  diagnostics.push_back(std::move(diagnostic));
+}
+
 MeshResult Mesher::Impl::finish() {
   const Stopwatch watch(seconds["core"]);
   for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
@@ -210,6 +224,8 @@ MeshResult Mesher::Impl::finish() {
     const auto& walls = job->wall_reports();
     result.walls.insert(result.walls.end(), walls.begin(), walls.end());
   }
+  name_given_edges(model, result);
+  report_sewing(result.diagnostics);
   report_idle_walls(result.diagnostics);
   result.diagnostics.insert(result.diagnostics.end(), boundary.notes.begin(), boundary.notes.end());
   result.figures = counts.figures(static_cast<int>(result.nodes.size()));
@@ -246,6 +262,7 @@ MeshResult Mesher::snapshot() const {
   const CancelFlag never;
   const CancelFlag& cancel = impl_->cancel.requested() ? never : impl_->cancel;
   MeshResult result = merge(impl_->jobs, impl_->boundary, cancel);
+  name_given_edges(impl_->model, result);
   result.seconds = impl_->seconds;
   return result;
 }

@@ -53,6 +53,14 @@ def euler_number(mesh):
     return len(mesh.points) - len(edges) // 2 + sum(len(block.data) for block in mesh.cells)
 
 
+def test_faces_that_share_no_edge_are_sewn(batch, job, tmp_path):
+    ran = batch(job(input="loose.brep", **BOX, sew_tolerance=0.001, outputs=["box.vtu", "box.unv"],
+                    groups={"all around": ["Edge1", "Edge24"]}, report="r.json"))
+    assert ran.status == 0, ran.stderr
+    (entry,) = [entry for entry in check_box(tmp_path)["diagnostics"] if entry["code"] == "sewn"]
+    assert "joined 24 edges; free edges left: 0" in entry["text"]
+
+
 @pytest.mark.parametrize("name", ["box.step", "box.brep"])
 def test_a_box(batch, job, tmp_path, name):
     ran = batch(job(input=name, **BOX, outputs=["box.vtu", "box.unv"], report="r.json"))

@@ -24,6 +24,23 @@ def test_a_mesh_in_one_call(box):
     assert made.FirstHeight.Value == 0.5 and made.Faces == ["Face1"]
 
 
+def test_loose_faces_are_sewn_under_the_names_that_they_have(box):
+    import Part
+
+    loose = box.Document.addObject("Part::Feature", "Loose")
+    loose.Shape = Part.makeCompound([face.copy() for face in box.Shape.Faces])
+    assert len(loose.Shape.Edges) == 24
+    made = advlayers.make_layer_mesh(loose, size=5, sew_tolerance="0.001 mm", layers=1,
+                                     walls=[{"edges": ["Edge24"]}], groups={"rim": ["Edge24"]})
+    assert made.SewTolerance.Value == 0.001
+    kinds = groups_of(made.FemMesh)
+    same = [i for i in range(1, 24) if kinds[f"Edge{i}"] == kinds["Edge24"]]
+    assert len(same) == 1 and kinds["rim"] == kinds["Edge24"]
+    layers = len(kinds["Layer1"][1])
+    # On both faces that met there without sharing the edge.
+    assert layers == 2 * (len(kinds["rim"][1]) - 1)
+
+
 def test_units(box):
     inch = layer_mesh.create(box, size="1 in", first_height=FreeCAD.Units.Quantity("1 mm"),
                              feature_angle="0.5 rad")

@@ -1,0 +1,56 @@
+#include "mesher/sewn_edges.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/model.h"
+
+namespace advlayers {
+namespace {
+
+// Each edge of the model once. Names that the model does not have stay: check() refuses them.
+void replace(const Model& model, std::vector<EdgeId>& edges) {
+  std::vector<EdgeId> replaced;
+  for (const EdgeId given : edges) {
+    const bool known = given.valid() && given.index() < model.edges().size();
+    for (const EdgeId piece : known ? model.pieces(given) : std::vector<EdgeId>{given}) {
+      const bool fresh = std::find(replaced.begin(), replaced.end(), piece) == replaced.end();
+      if (fresh) replaced.push_back(piece);
+    }
+  }
+  edges = std::move(replaced);
+}
+
+}  // namespace
+
+Settings in_edges_of(const Model& model, Settings settings) {
+  if (!model.sewn()) return settings;
+  for (WallSpec& wall : settings.walls) replace(model, wall.edges);
+  for (SizeSpec& size : settings.sizes) replace(model, size.edges);
+  for (std::vector<EdgeId>* edges : {&settings.match_edges, &settings.off_edges,
+                                     &settings.boundary_edges, &settings.smooth_edges}) {
+    replace(model, *edges);
+  }
+  return settings;
+}
+
+void name_given_edges(const Model& model, MeshResult& result) {
+  if (!model.sewn()) return;
+  const auto of_model = std::exchange(result.edge_segments, {});
+  result.edge_segments.resize(model.given_edges());
+  std::vector<EdgeId> name(of_model.size());
+  for (std::size_t e = 0; e < model.given_edges(); ++e) {
+    auto& segments = result.edge_segments[e];
+    for (const EdgeId piece : model.pieces(EdgeId(e))) {
+      const auto& own = of_model[piece.index()];
+      segments.insert(segments.end(), own.begin(), own.end());
+      if (!name[piece.index()].valid()) name[piece.index()] = EdgeId(e);
+    }
+  }
+  for (WallReport& wall : result.walls) {
+    const bool given = wall.edge.index() < model.given_edges();
+    if (!given && name[wall.edge.index()].valid()) wall.edge = name[wall.edge.index()];
+  }
+}
+
+}  // namespace advlayers
