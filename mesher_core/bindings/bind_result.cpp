@@ -38,8 +38,8 @@ const MeshResult& mesh_of(const py::object& self) { return self.cast<const MeshV
 template <auto kMember>
 py::array ints(const py::object& self) {
   const auto& values = mesh_of(self).*kMember;
-  using Row = typename std::decay_t<decltype(values)>::value_type;
-  return rows<int>(values.data(), values.size(), sizeof(Row) / sizeof(int), self);
+  constexpr std::size_t kRowBytes = sizeof(typename std::decay_t<decltype(values)>::value_type);
+  return rows<int>(values.data(), values.size(), kRowBytes / sizeof(int), self);
 }
 
 template <auto kMember>

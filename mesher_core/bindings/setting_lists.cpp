@@ -64,7 +64,8 @@ Entry entry_of(const py::handle& value, const std::string& list, const Key<Entry
     for (const Key<Entry>& k : keys) {
       if (name == k.name) known = &k;
     }
-    if (known == nullptr) throw InvalidInput(list + ": unknown key \"" + name + "\"");
+    if (known == nullptr)
+      throw InvalidInput(std::string(list).append(": unknown key \"").append(name).append("\""));
     known->set(item, entry);
   }
   return entry;

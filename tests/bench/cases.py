@@ -60,9 +60,13 @@ def ten_faces() -> "Part.Shape":
 
 
 def fan(angle: float) -> "Part.Shape":
-    """A disc with a wedge cut out, so that the rest has `angle` [deg] at its middle."""
+    """A disc with a wedge cut out, so that the rest has `angle` [deg] at its middle; at 360 deg it
+    is slit along a radius."""
     half = math.radians(360.0 - angle) / 2.0
     radius = 100.0
+    if angle == 360.0:
+        disc = Part.Face(Part.Wire(Part.makeCircle(radius)))
+        return disc.generalFuse([Part.makeLine(V(), V(radius, 0, 0))])[0].Faces[0]
     arms = [V(radius * math.cos(sign * half), radius * math.sin(sign * half), 0)
             for sign in (1.0, -1.0)]
     arc = Part.Arc(arms[0], V(-radius, 0, 0), arms[1]).toShape()
@@ -115,7 +119,7 @@ PAPER = [
 
 FANS = [Case(f"fan of {angle:g} deg, A {aspect}, growth {growth:g}",
              lambda angle=angle: fan(angle), 4.0, 4.0 / aspect, growth, 10, group="fan")
-        for angle in (270.0, 300.0, 336.0, 359.0) for aspect in (5, 50)
+        for angle in (270.0, 300.0, 336.0, 360.0) for aspect in (5, 50)
         for growth in (1.05, 1.15, 1.3)]
 
 GROWTHS = [Case(f"ten layers, growth {growth:g}", stored("drilled_plate"), 0.6, 0.03, growth, 10,

@@ -1,6 +1,8 @@
 // Layers of walls that run along another edge: its nodes are to lie where they end.
 #pragma once
 
+#include <array>
+#include <limits>
 #include <vector>
 
 #include "base/types.h"
@@ -34,7 +36,7 @@ struct LayerSeries {
 // The edge's first segments from either end [mm]; `closed`: what is left between them is one
 // segment, which the fronts from both ends close.
 struct LayeredCuts {
-  std::vector<double> segments[2];
+  std::array<std::vector<double>, 2> segments;
   bool closed = false;
   double spread = 0.0;  // the largest deviation of a series from the mean that the nodes follow
 };

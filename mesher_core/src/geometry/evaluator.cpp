@@ -58,7 +58,7 @@ struct Evaluator::Impl {
     const Edge& edge = model->edge(coedge.edge);
     const Pcurve* pcurve = model->shape().pcurve(f, coedge.edge, coedge.pcurve);
     if (!pcurve) throw GeometryError(edge_name(coedge.edge) + " has no (u, v) on " + face_name(f));
-    const Vec2 uv = pcurve->at(t, edge) + coedge.uv_shift;
+    Vec2 uv = pcurve->at(t, edge) + coedge.uv_shift;
     if (coedge.degenerate) return uv;
     const FaceSurface& s = surface(f);
     const Vec3 xyz = curve(coedge.edge).value(t);
@@ -66,8 +66,8 @@ struct Evaluator::Impl {
     if (stray <= std::max(edge.tolerance, model->face(f).tolerance)) return uv;
     double u = uv.x(), v = uv.y();
     Vec3 foot;
-    const bool found = s.project(xyz, u, v, foot) && (foot - xyz).norm() < stray;
-    return found ? Vec2(u, v) : uv;
+    if (s.project(xyz, u, v, foot) && (foot - xyz).norm() < stray) uv = {u, v};
+    return uv;
   }
 
   const FaceDomain& domain(FaceId f) {

@@ -49,12 +49,12 @@ class LoopBuilder {
       return;
     }
     settle_sheets();
-    if (!orient()) return;
+    if (!orient() || !add_slits()) return;
     store();
   }
 
  private:
-  // Wires of the face, the outer one first; internal ones bound nothing.
+  // Wires of the face, the outer one first; internal ones are slits.
   std::vector<TopoDS_Wire> bounding_wires() const {
     std::vector<TopoDS_Wire> found;
     const TopoDS_Wire outer = BRepTools::OuterWire(shape_face_);
@@ -85,6 +85,25 @@ class LoopBuilder {
       Link link;
       if (!make_link(shape_edge, link)) return false;
       links.push_back(link);
+    }
+    return true;
+  }
+
+  // An edge inside the face, where another face stands on it or a line was imprinted, bounds it on
+  // both sides: there and back, a loop without area.
+  bool add_slits() {
+    const Vec2 centre = middle(loops_.front());
+    for (TopoDS_Iterator wire(shape_face_); wire.More(); wire.Next()) {
+      if (wire.Value().ShapeType() != TopAbs_WIRE) continue;
+      for (TopoDS_Iterator it(wire.Value()); it.More(); it.Next()) {
+        if (it.Value().Orientation() != TopAbs_INTERNAL) continue;
+        Link there;
+        if (!make_link(TopoDS::Edge(it.Value().Oriented(TopAbs_FORWARD)), there)) return false;
+        shift(there, shift_towards(centre, 0.5 * (there.uv_from + there.uv_to)));
+        std::vector<Link> back{there};
+        reverse(back);
+        loops_.push_back({there, back.front()});
+      }
     }
     return true;
   }

@@ -172,7 +172,7 @@ SurfaceFrame FaceSurface::frame(double u, double v) const {
   // Su = 0 along a line v = const: the way inside leads along v; and the other way round.
   const bool u_gone = u_collapsed(f.du), v_gone = v_collapsed(f.dv);
   const bool both = u_gone == v_gone;
-  for (double fraction = 1e-5; fraction < 0.2; fraction *= 10.0) {
+  for (const double fraction : {1e-5, 1e-4, 1e-3, 1e-2, 0.1}) {
     Vec3 normals[2], xyz, du, dv;
     bool good = true;
     for (int k = 0; k < 2; ++k) {
