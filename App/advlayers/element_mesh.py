@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any, Dict, Tuple
 
 import numpy as np
@@ -43,12 +44,12 @@ def of_fem(fem) -> ElementMesh:
     """Of a Fem.FemMesh that this add-on made; its groups tell layers, faces and edges."""
     nodes = fem.Nodes
     ids = np.fromiter(nodes.keys(), np.int64, len(nodes))
-    points = np.array([tuple(point) for point in nodes.values()]).reshape(-1, 3)
+    points = np.fromiter(chain.from_iterable(nodes.values()), float, 3 * len(nodes))
     index = np.zeros(int(ids.max(initial=0)) + 1, np.int64)
     index[ids] = np.arange(len(ids))
-    cells = [fem.getElementNodes(number) for number in fem.Faces]
-    quads = [cell for cell in cells if len(cell) == 4]
-    triangles = [cell for cell in cells if len(cell) == 3]
+    cells = list(map(fem.getElementNodes, fem.Faces))
+    quads = _corners([cell for cell in cells if len(cell) == 4], 4)
+    triangles = _corners([cell for cell in cells if len(cell) == 3], 3)
     numbers = {"Layer": np.zeros(len(cells), np.int32), "Face": np.zeros(len(cells), np.int32)}
     edge_nodes = {}
     for group in fem.Groups:
@@ -61,9 +62,14 @@ def of_fem(fem) -> ElementMesh:
             edge_nodes[number] = index[members]
         else:
             numbers[kind][members - 1] = number
-    return ElementMesh(points, index[np.array(quads, np.int64).reshape(-1, 4)],
-                       index[np.array(triangles, np.int64).reshape(-1, 3)],
+    return ElementMesh(points.reshape(-1, 3), index[quads], index[triangles],
                        numbers["Layer"], numbers["Face"], edge_nodes)
+
+
+def _corners(cells, corners: int):
+    """(n, corners); several times faster than numpy's way with a list of tuples."""
+    flat = np.fromiter(chain.from_iterable(cells), np.int64, corners * len(cells))
+    return flat.reshape(-1, corners)
 
 
 def angles(mesh: ElementMesh) -> Tuple[Any, Any]:

@@ -12,16 +12,16 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence
 
-from advlayers import analysis, cad_input, controls, fem_mesh, freshness, mesh_history, migrations
+from advlayers import (
+    analysis, cad_input, controls, fem_mesh, freshness, mesh_data, mesh_history, migrations)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError, Stopped
-from advlayers.layer_heights import height_errors
+from advlayers.mesh_data import MeshData
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import (
     HIDDEN, READ_ONLY, add_setting, from_property, plain_values, property_name, to_property)
 from advlayers.proxy import Stateless, attach_view, shown_progress
 from advlayers.references import Picker, Problem, problems, remembered
-from advlayers.report import make_report
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS, Setting
 
@@ -147,6 +147,7 @@ class Task:
     """All that one run needs, read from the document beforehand: the document may change while the
     mesher is at work, and the mesh then belongs to what was read."""
 
+    label: str  # of what is meshed
     brep: str
     made_from: MadeFrom
     groups: Dict[str, Sequence[str]]  # named ones, and those that constraints of analyses need
@@ -167,7 +168,7 @@ def prepare(document_object) -> Task:
     origin = made_from(document_object)
     check_names(origin.settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
     groups = {**origin.settings["groups"], **analysis.constraint_groups(document_object)}
-    return Task(shape.exportBrepToString(), origin, groups)
+    return Task(document_object.Part.Label, shape.exportBrepToString(), origin, groups)
 
 
 def made_from(document_object) -> MadeFrom:
@@ -188,9 +189,13 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
     set_mesh(document_object, mesh, fem, task.made_from)
 
 
-def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
-    """Stores a finished mesh of the settings and the shape that `origin` tells."""
+def set_mesh(document_object, mesh, fem, origin: MadeFrom,
+             data: Optional[MeshData] = None) -> None:
+    """Stores a finished mesh of the settings and the shape that `origin` tells; `data` where they
+    have been gathered already."""
+    data = data or mesh_data.of_core(document_object.Part.Label, mesh)
     mesh_history.store(document_object, fem)
+    mesh_data.remember(document_object, data)
     figures = mesh.figures
     document_object.NodeCount = figures["nodes"]
     document_object.QuadCount = figures["quads"]
@@ -202,9 +207,8 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom) -> None:
     document_object.InvertedCount = figures["inverted"]
     document_object.Messages = [
         f"{entry['severity']}: {entry['text']} ({entry['code']})" for entry in mesh.diagnostics]
-    document_object.Details = json.dumps(
-        make_report(document_object.Part.Label, mesh, [], mesh.seconds))
-    document_object.HeightErrors = height_errors(mesh).tolist()
+    document_object.Details = json.dumps(data.report)
+    document_object.HeightErrors = data.relative_height_errors.tolist()
     document_object.NodeLayers = mesh.node_layer.tolist()
     document_object.NodeParents = mesh.node_parent.tolist()
     document_object.MeshedSettings = origin.settings_text

@@ -8,14 +8,12 @@ from typing import Any, Callable, Dict, Iterable, List, Optional
 
 from PySide import QtCore
 
-from advlayers import layer_mesh, preferences
+from advlayers import layer_mesh, mesh_data, preferences
 from advlayers.core_access import load_core
 from advlayers.element_mesh import ElementMesh, of_core
 from advlayers.errors import Stopped
-from advlayers.layer_heights import height_errors
 from advlayers.mesh_data import QUALITY, MeshData
 from advlayers.meshing import Run
-from advlayers.report import make_report
 
 _POLL = 20  # [ms] between two looks at the worker
 # Time that a run may wait, all in all, for pictures to be drawn, so that a run too short to be
@@ -84,7 +82,7 @@ class Outcome:
     data: MeshData
 
     def store(self, mesh_object) -> None:
-        layer_mesh.set_mesh(mesh_object, self.mesh, self.fem, self.task.made_from)
+        layer_mesh.set_mesh(mesh_object, self.mesh, self.fem, self.task.made_from, self.data)
 
 
 class Canvas:
@@ -102,16 +100,16 @@ class Canvas:
 
 
 class MeshTask:
-    """One run for one mesh object; the report has its label. The functions handed in are called in
-    the window's thread: `on_progress` at every look, and in the end one of `on_done`, `on_failed`
-    (with the reason) and `on_stopped`. The mesh is drawn on the canvas as it grows."""
+    """One run for one mesh object. The functions handed in are called in the window's thread:
+    `on_progress` at every look, and in the end one of `on_done`, `on_failed` (with the reason) and
+    `on_stopped`. The mesh is drawn on the canvas as it grows."""
 
-    def __init__(self, label: str, task: layer_mesh.Task, on_progress: Callable[[Progress], None],
+    def __init__(self, task: layer_mesh.Task, on_progress: Callable[[Progress], None],
                  on_done: Callable[[Outcome], None], on_failed: Callable[[str], None],
                  on_stopped: Callable[[], None],
                  canvas: Optional[Canvas] = None) -> None:
         core = load_core()
-        self._label, self._task = label, task
+        self._task = task
         self._on_progress, self._canvas = on_progress, canvas
         self._on_done, self._on_failed, self._on_stopped = on_done, on_failed, on_stopped
         self.progress = Progress()
@@ -151,11 +149,8 @@ class MeshTask:
             self._pictures.give_up()
 
     def _finish(self, mesh, check) -> Outcome:
-        report = make_report(self._label, mesh, [], mesh.seconds)
+        data = mesh_data.of_core(self._task.label, mesh)
         check()
-        errors = height_errors(mesh)
-        check()
-        data = MeshData(of_core(mesh), errors, report)
         data.field(QUALITY)  # takes a while for a large mesh: better here than in the window
         check()
         return Outcome(self._task, mesh, self._task.make_fem_mesh(mesh, check), data)

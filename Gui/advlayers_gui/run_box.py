@@ -57,8 +57,7 @@ class RunBox:
         """Whether the run is under way; if not, the status line says why."""
         try:
             self._before()
-            self._task = MeshTask(self._mesh_object.Label,
-                                  layer_mesh.prepare(self._mesh_object), self._progressed,
+            self._task = MeshTask(layer_mesh.prepare(self._mesh_object), self._progressed,
                                   self._done, self._failed, self._stopped, self._canvas)
         except (ValueError, RuntimeError, CoreMissing) as error:
             self.fail(str(error))

@@ -181,4 +181,9 @@ def test_200000_elements_show_without_a_freeze(document):
     print(f"OK: {time.thread_time() - start:.2f} s")
     assert made.FemMesh.FaceCount > 200_000
     view = made.ViewObject
+    for show in (lambda: setattr(view, "DisplayMode", QUALITY), lambda: edit(made)):
+        start = time.thread_time()
+        show()
+        assert max(time.thread_time() - start, wait_for(lambda: not modes_of(made).busy)) < 0.5
+    press_cancel()
     assert view.ShowInner and view.MaxFacesShowInner > made.FemMesh.FaceCount
