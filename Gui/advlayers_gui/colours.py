@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Tuple
+from typing import Any, List, Tuple
 
 import numpy as np
 
@@ -48,7 +48,15 @@ class Scale:
         return np.stack([np.interp(share, ends, channel) for channel in zip(*self.stops)],
                         axis=-1)
 
-    def label_at(self, share: float) -> str:
+    def labels(self, count: int) -> List[Tuple[float, str]]:
+        """Up to `count` of them with their shares, from low to high; whole numbers once each."""
+        shares = np.linspace(0.0, 1.0, count)
+        if self.whole:
+            spread = self.high - self.low
+            shares = np.unique(np.round(self.low + shares * spread) - self.low) / spread
+        return [(share, self._label_at(share)) for share in shares.tolist()]
+
+    def _label_at(self, share: float) -> str:
         if self.logarithmic:
             return f"{self.low * (self.high / self.low) ** share:.3g}"
         value = self.low + share * (self.high - self.low)

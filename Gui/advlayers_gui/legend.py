@@ -86,10 +86,8 @@ def _texts(scale: Scale):
     font.name, font.size = "Arial", 13.0
     texts.addChild(colour)
     texts.addChild(font)
-    for k in range(_LABELS):
-        share = k / (_LABELS - 1)
-        texts.addChild(_text(scale.label_at(share), _RIGHT + 0.015,
-                             _BOTTOM + share * (_TOP - _BOTTOM) - 0.012))
+    for share, label in scale.labels(_LABELS):
+        texts.addChild(_text(label, _RIGHT + 0.015, _BOTTOM + share * (_TOP - _BOTTOM) - 0.012))
     texts.addChild(_text(scale.title, _LEFT, _TOP + 0.04))
     return texts
 

@@ -193,12 +193,12 @@ def _figures_text(report: Mapping[str, Any]) -> str:
         (tr("Nodes"), report["nodes"], ""),
         (tr("Angles from"), f"{report['min_angle']:.1f}°", ""),
         (tr("to"), f"{report['max_angle']:.1f}°", ""),
-        (tr("within 45–135°"), "", _percent(report["angles_45_135_percent"])),
+        ("45–135°", "", _percent(report["angles_45_135_percent"])),
     ]
     if report["inverted"]:
         rows.append((tr("Inverted"), report["inverted"], ""))
     cells = "".join(
-        f"<tr><td style='white-space: pre'>{name} </td><td align='right'><b>{value}</b>&nbsp;</td>"
+        f"<tr><td>{name}</td><td align='right'><b>{value}</b>&nbsp;</td>"
         f"<td align='right'>{share}</td></tr>" for name, value, share in rows)
     return f"<table width='100%'>{cells}</table>"
 

@@ -719,10 +719,6 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>within 45–135°</source>
-        <translation>in 45–135°</translation>
-    </message>
-    <message>
         <source>{edge} on {face} has no layer</source>
         <translation>{edge} auf {face} hat keine Schicht</translation>
     </message>

@@ -719,10 +719,6 @@
         <translation>triangles</translation>
     </message>
     <message>
-        <source>within 45–135°</source>
-        <translation>dans 45–135°</translation>
-    </message>
-    <message>
         <source>{edge} on {face} has no layer</source>
         <translation>{edge} sur {face} n'a pas de couche</translation>
     </message>

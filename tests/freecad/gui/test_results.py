@@ -57,6 +57,15 @@ def test_a_display_mode_follows_the_mesh_and_survives_saving(mesh, tmp_path):
         FreeCAD.closeDocument(opened.Name)
 
 
+def test_a_legend_names_each_layer_once():
+    from advlayers_gui import colours
+
+    for highest in (2, 3, 4, 7, 31):
+        labels = [label for _share, label in colours.layer_scale(highest).labels(5)]
+        assert labels[0] == "1" and labels[-1] == str(highest)
+        assert len(set(labels)) == len(labels) == min(highest, 5)
+
+
 def test_fields_say_what_the_mesh_is(mesh):
     data = mesh_data.of_object(mesh)
     assert data.mesh.count == mesh.QuadCount + mesh.TriangleCount
