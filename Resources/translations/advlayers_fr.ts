@@ -528,7 +528,7 @@
     </message>
     <message>
         <source>Sew tolerance</source>
-        <translation>Tolérance de couture</translation>
+        <translation>Tol. de couture</translation>
     </message>
     <message>
         <source>Size</source>
