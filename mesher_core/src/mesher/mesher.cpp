@@ -26,6 +26,10 @@ namespace {
 
 // Times that the edges of a face may be halved where they are too coarse for it.
 constexpr std::size_t kMostHalvings = 6;
+// And for the sake of a face that is meshed all the same, but with triangles turned over.
+constexpr std::size_t kMostForBetter = 2;
+// Times that patches may be parted where their meshes could not follow their faces.
+constexpr int kMostPartings = 3;
 
 using Clock = std::chrono::steady_clock;
 
@@ -51,6 +55,7 @@ class Stopwatch {
 
 struct Mesher::Impl {
   Impl(const Model& the_model, const Settings& the_settings);
+  void make_jobs();
   void start();
   using AskedEdges = std::vector<std::vector<EdgeId>>;  // by patch: edges it finds too coarse
   void triangulate_all();
@@ -58,6 +63,8 @@ struct Mesher::Impl {
   void advance_all();
   void report_idle_walls(std::vector<Diagnostic>& diagnostics) const;
   void report_sewing(std::vector<Diagnostic>& diagnostics) const;
+  void finish_jobs();
+  bool part_strained_faces();
   MeshResult finish();
   template <class Body>
   void for_each_job(const Body& body);
@@ -70,6 +77,7 @@ struct Mesher::Impl {
   std::vector<std::unique_ptr<PatchJob>> jobs;
   std::vector<std::size_t> order;  // of starting the jobs: large patches first
   std::deque<LayerReport> pending;
+  std::vector<Diagnostic> partings;
   std::map<std::string, double> seconds{
       {"boundary", 0.0}, {"triangulate", 0.0}, {"layers", 0.0}, {"core", 0.0}};
   bool started = false;
@@ -83,6 +91,11 @@ Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
       settings(in_edges_of(the_model, the_settings)),
       arena(arena_size(the_settings.threads)) {
   check(settings, model);
+  make_jobs();
+}
+
+void Mesher::Impl::make_jobs() {
+  jobs.clear();
   for (std::vector<FaceId>& faces : group_faces(model, settings)) {
     jobs.push_back(
         std::make_unique<PatchJob>(PatchId(jobs.size()), std::move(faces), model, settings));
@@ -140,7 +153,9 @@ void Mesher::Impl::triangulate_all() {
     for_each_job([&](PatchJob& job, std::size_t index) {
       if (waiting[index]) asked[index] = job.triangulate(boundary, cancel);
     });
-    for (std::size_t i = 0; i < jobs.size(); ++i) waiting[i] = !asked[i].empty();
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      waiting[i] = !asked[i].empty() && (rounds.size() < kMostForBetter || !jobs[i]->meshed());
+    }
     if (std::find(waiting.begin(), waiting.end(), 1) == waiting.end()) break;
     if (rounds.size() == kMostHalvings) break;
     halve(asked, waiting);
@@ -182,7 +197,8 @@ void Mesher::Impl::advance_all() {
   for (const auto& report : reports) {
     if (report) pending.push_back(*report);
   }
-  growing = !pending.empty();
+  growing =
+      std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_value(); });
 }
 
 // A wall that was asked for by name, but grows nowhere, is not passed over in silence.
@@ -212,9 +228,57 @@ void Mesher::Impl::report_sewing(std::vector<Diagnostic>& diagnostics) const {
   diagnostics.push_back(std::move(diagnostic));
 }
 
-MeshResult Mesher::Impl::finish() {
+void Mesher::Impl::finish_jobs() {
   const Stopwatch watch(seconds["core"]);
   for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
+}
+
+// Faces that the mesh of their patch could not follow (a fillet far smaller than the elements, a
+// face that no element found room on) become patches of their own, and all is meshed anew. Edges
+// that the user called smooth stay so. Returns false where there is none to part.
+bool Mesher::Impl::part_strained_faces() {
+  const FeatureRule rule = feature_rule(settings);
+  std::set<EdgeId> edges;
+  std::string names;
+  for (const auto& job : jobs) {
+    for (const FaceId face : job->strained_faces()) {
+      const std::size_t known = edges.size();
+      for (const auto& loop : model.face(face).loops) {
+        for (const CoEdge& coedge : loop) {
+          const bool seam = model.edge(coedge.edge).faces.size() < 2;
+          const bool smooth =
+              std::binary_search(rule.smooth.begin(), rule.smooth.end(), coedge.edge);
+          if (!seam && !smooth) edges.insert(coedge.edge);
+        }
+      }
+      if (edges.size() > known) names += (names.empty() ? "" : ", ") + face_name(face);
+    }
+  }
+  for (const EdgeId edge : rule.boundary) edges.erase(edge);
+  if (edges.empty()) return false;
+  settings.boundary_edges.insert(settings.boundary_edges.end(), edges.begin(), edges.end());
+  Diagnostic note;
+  note.severity = Severity::kInfo;
+  note.code = "patch-parted";
+  note.text =
+      "meshed on their own, as the elements of their patches could not follow them: " + names;
+  partings.push_back(std::move(note));
+  make_jobs();
+  started = false;
+  growing = true;
+  return true;
+}
+
+MeshResult Mesher::Impl::finish() {
+  const bool whole = !growing && pending.empty();
+  finish_jobs();
+  for (int k = 0; whole && k < kMostPartings && part_strained_faces(); ++k) {
+    start();
+    while (growing) advance_all();
+    pending.clear();
+    finish_jobs();
+  }
+  const Stopwatch watch(seconds["core"]);
   part_doubled_edges(jobs, boundary, cancel);
   for_each_job([this](PatchJob& job, std::size_t) { job.measure(cancel); });
   MeshResult result = merge(jobs, boundary, cancel);
@@ -227,7 +291,9 @@ MeshResult Mesher::Impl::finish() {
   name_given_edges(model, result);
   report_sewing(result.diagnostics);
   report_idle_walls(result.diagnostics);
-  result.diagnostics.insert(result.diagnostics.end(), boundary.notes.begin(), boundary.notes.end());
+  for (const auto* notes : {&partings, &boundary.notes}) {
+    result.diagnostics.insert(result.diagnostics.end(), notes->begin(), notes->end());
+  }
   result.figures = counts.figures(static_cast<int>(result.nodes.size()));
   return result;
 }

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "mesh/validate.h"
+#include "mesher/element_faces.h"
 #include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
 #include "quality/core_improvement.h"
 #include "quality/core_region.h"
-#include "quality/face_sides.h"
 #include "quality/imprint_edges.h"
 #include "quality/inversion.h"
 #include "quality/recombine.h"
@@ -115,6 +115,7 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
       Triangulation made =
           advlayers::triangulate(surface_, evaluator_, boundary, *settings_, cancel);
       mesh_ = std::move(made.mesh);
+      coarse = std::move(made.coarse_edges);
       for (Diagnostic& diagnostic : made.diagnostics) {
         diagnostic.patch = id_;
         diagnostics_.push_back(std::move(diagnostic));
@@ -213,7 +214,7 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
     } else {
       complete(cancel);
     }
-    if (faces_.size() > 1) assign_faces(boundary);
+    if (faces_.size() > 1) find_faces(boundary);
     const std::string fault = find_connectivity_fault(mesh_);
     if (!fault.empty()) throw InternalError(fault);
   });
@@ -222,10 +223,16 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
   face_of_.clear();
 }
 
+void PatchJob::find_faces(const Discretization& boundary) {
+  ElementFaces found = find_element_faces(mesh_, surface_, boundary, SizeField(*settings_));
+  face_of_ = std::move(found.of);
+  if (!surface_.faceted()) strained_ = std::move(found.strained);
+}
+
 void PatchJob::split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary) {
   guard("edges-not-split", [&] {
     for (const HalfedgeH h : edges) split_inside(mesh_, surface_, h);
-    if (faces_.size() > 1) assign_faces(boundary);
+    if (faces_.size() > 1) find_faces(boundary);
   });
 }
 
@@ -294,23 +301,6 @@ void PatchJob::judge_inverted() {
              face_name(face) + ": " + std::to_string(elements.size()) +
                  " elements are turned over against the surface");
     diagnostics_.back().point = centroid(corners_of(mesh_, elements.front()));
-  }
-}
-
-void PatchJob::assign_faces(const Discretization& boundary) {
-  const FaceSides sides(mesh_, surface_, boundary);
-  face_of_.assign(mesh_.face_capacity(), FaceId());
-  for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
-    const FaceH f(i);
-    if (!mesh_.alive(f)) continue;
-    std::vector<VertexH> corners;
-    const HalfedgeH first = mesh_.halfedge(f);
-    HalfedgeH h = first;
-    do {
-      corners.push_back(mesh_.from(h));
-      h = mesh_.next(h);
-    } while (h != first);
-    face_of_[i] = sides.under(mesh_, surface_, corners);
   }
 }
 

@@ -26,7 +26,7 @@ class PatchJob {
   // The stages, in this order; each throws Cancelled and nothing else.
   void plan();  // what grows from each edge, and where layers run along one
   // The CAD edges that are cut too coarsely for this patch: once these are cut finer, it may be
-  // triangulated again. Empty where it is meshed, or is left out for another reason.
+  // triangulated again. A patch that is meshed may ask for better, too.
   std::vector<EdgeId> triangulate(const Discretization& boundary, const CancelFlag& cancel);
   bool advance(LayerReport& report, const CancelFlag& cancel);  // false: no front is left
   void finish(const Discretization& boundary, const CancelFlag& cancel);
@@ -38,6 +38,8 @@ class PatchJob {
   bool borders_on(EdgeId edge) const { return walls_.edges.count(edge) > 0; }
   PatchId id() const { return id_; }
   const std::vector<FaceId>& faces() const { return faces_; }
+  // Of finish(): those of several faces that the patch's mesh could not follow.
+  const std::vector<FaceId>& strained_faces() const { return strained_; }
   const std::vector<MatchEnd>& match_ends() const { return matches_.ends; }
   double area() const { return area_; }  // [mm^2] of the faces, as a measure of the work
   const SurfaceMesh& mesh() const { return mesh_; }
@@ -59,7 +61,7 @@ class PatchJob {
   void complete(const CancelFlag& cancel);
   int count_inverted(const CancelFlag& cancel);
   void complete_along_edges(const Discretization& boundary, const CancelFlag& cancel);
-  void assign_faces(const Discretization& boundary);
+  void find_faces(const Discretization& boundary);
   void count_elements(const CancelFlag& cancel);
   void judge_inverted();
   void judge_walls();
@@ -82,6 +84,7 @@ class PatchJob {
   FigureCounts counts_;
   std::vector<FaceH> inverted_;
   std::vector<FaceId> face_of_;  // by FaceH, of a finished patch of several faces
+  std::vector<FaceId> strained_;
   std::vector<StopRecord> stops_;
   std::vector<Diagnostic> diagnostics_;
 };

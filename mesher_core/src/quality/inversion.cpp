@@ -3,21 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 #include <vector>
 
+#include "quality/cheapest_triangles.h"
 #include "quality/element_measures.h"
 #include "quality/pentagon.h"
 
 namespace advlayers {
 namespace {
 
-constexpr int kPasses = 6;
+constexpr int kPasses = 7;
+constexpr int kMostThoroughly = 200;  // faulty elements whose vertices are moved about
 // The corners' normals decide where all agree with the element by this cosine; the projection of
 // the centroid is spared then.
 constexpr double kClearlyUpright = 0.3;
 // An element that leans more than 75 degrees from the surface makes a fold with its neighbours.
 constexpr double kSteep = 0.26;
 constexpr int kTurnedOver = 4, kFolded = 2;
+constexpr double kFaultCost = 100.0;     // of a fault, against the shape of a triangle
+constexpr std::size_t kMostInRing = 12;  // corners of a cavity
 // How far a vertex is moved towards a neighbour or their mean.
 constexpr std::array<double, 5> kShares{0.05, 0.15, 0.3, 0.5, 0.75};
 
@@ -105,8 +110,8 @@ class Mender {
  public:
   Mender(SurfaceMesh& mesh, PatchSurface& surface) : mesh_(mesh), surface_(surface) {}
   bool is_faulty(FaceH face) { return faults(face) > 0; }
-  // True where the faults about the element weigh less than before.
-  bool mend(FaceH face);
+  // True where the faults about the element weigh less than before. Moving vertices takes long.
+  bool mend(FaceH face, bool thoroughly);
 
  private:
   template <class Corners>
@@ -118,12 +123,15 @@ class Mender {
   int faults_about(VertexH v);
   int faults_after_collapse(HalfedgeH h);
 
+  bool is_loose(VertexH v) const;
   bool divide_quad(FaceH face, int most);
   bool flip_side(HalfedgeH h);
   bool recut_beside(HalfedgeH h);
   bool mend_by_edges(FaceH face);
   bool relocate(VertexH v);
-  bool collapse(HalfedgeH h);
+  bool remove(VertexH v);
+  bool recut_about(FaceH face);
+  bool recut_cavity(const std::vector<FaceH>& cavity, const std::vector<VertexH>& ring);
 
   SurfaceMesh& mesh_;
   PatchSurface& surface_;
@@ -177,6 +185,20 @@ bool Mender::recut_beside(HalfedgeH h) {
   return false;
 }
 
+// Inside the patch, and on none of the model's edges; points on a fold of the surface are loose.
+bool Mender::is_loose(VertexH v) const {
+  const VertexData& data = mesh_.data(v);
+  if (mesh_.is_border(v) || data.node.valid() || data.support == Support::kVertex) return false;
+  if (data.support == Support::kPatch) return true;
+  const HalfedgeH first = mesh_.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    if (mesh_.curve(h).valid()) return false;
+    h = mesh_.rotate_cw(h);
+  } while (h != first);
+  return true;
+}
+
 int Mender::faults_about(VertexH v) {
   int faulty = 0;
   const HalfedgeH first = mesh_.outgoing(v);
@@ -191,7 +213,7 @@ int Mender::faults_about(VertexH v) {
 // Moves a vertex inside the patch to the nearest of some places about it that leave fewest faulty.
 bool Mender::relocate(VertexH v) {
   const VertexData before = mesh_.data(v);
-  if (before.support != Support::kPatch || mesh_.is_border(v)) return false;
+  if (!is_loose(v)) return false;
   std::vector<Vec3> beside;
   const HalfedgeH first = mesh_.outgoing(v);
   HalfedgeH h = first;
@@ -207,6 +229,7 @@ bool Mender::relocate(VertexH v) {
   VertexData best = before;
   for (const double share : kShares) {
     for (const Vec3& goal : beside) {
+      if (fewest == 0) break;
       VertexData& data = mesh_.data(v);
       const Vec3 target = before.point.xyz + share * (goal - before.point.xyz);
       SurfacePoint foot;
@@ -223,44 +246,71 @@ bool Mender::relocate(VertexH v) {
   return best.point.xyz != before.point.xyz;
 }
 
-int Mender::faults_after_collapse(HalfedgeH h) {
-  const VertexH v = mesh_.from(h), onto = mesh_.to(h);
-  int faulty = 0;
-  for (HalfedgeH o = mesh_.rotate_cw(h); o != h; o = mesh_.rotate_cw(o)) {
-    FaceCorners corners = corners_around(mesh_, mesh_.face(o));
-    if (std::find(corners.begin(), corners.end(), onto) != corners.end()) continue;
-    std::replace(corners.vertex.begin(), corners.vertex.end(), v, onto);
-    faulty += faults(corners);
-  }
-  return faulty;
-}
-
-// Lets a vertex of the core vanish in its neighbour.
-bool Mender::collapse(HalfedgeH h) {
-  const VertexH v = mesh_.from(h);
-  const VertexData& data = mesh_.data(v);
-  if (data.support != Support::kPatch || data.layer != 0 || mesh_.is_border(v)) return false;
-  const HalfedgeH t = SurfaceMesh::twin(h);
-  if (!mesh_.is_triangle(h) || !mesh_.is_triangle(t)) return false;
-  if (mesh_.collapse_veto(h) != Veto::kNone) return false;
-  if (faults_after_collapse(h) >= faults_about(v)) return false;
-  mesh_.collapse(h);
+// Cuts the faces within the ring into the triangles with the fewest faults.
+bool Mender::recut_cavity(const std::vector<FaceH>& cavity, const std::vector<VertexH>& ring) {
+  if (ring.size() < 3 || ring.size() > kMostInRing) return false;
+  if (std::set<VertexH>(ring.begin(), ring.end()).size() < ring.size()) return false;  // no disc
+  int before = 0, after = 0;
+  for (const FaceH f : cavity) before += faults(f);
+  const auto made = cheapest_triangles(ring, [this](const Triangle& t) {
+    const Vec3 normal = mesh_.data(t[0]).normal + mesh_.data(t[1]).normal + mesh_.data(t[2]).normal;
+    const double sine =
+        min_angle_sine(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]), normal);
+    return kFaultCost * faults(t) + 1.0 - sine;
+  });
+  for (const auto& t : made) after += faults(Triangle{t[0], t[1], t[2]});
+  if (after >= before || mesh_.replace_veto(cavity, made) != Veto::kNone) return false;
+  mesh_.replace(cavity, made);
   return true;
 }
 
-bool Mender::mend(FaceH face) {
-  if (mend_by_edges(face)) return true;
-  for (const VertexH v : corners_around(mesh_, face)) {
-    if (relocate(v)) return true;
-  }
+// Lets a vertex of the core vanish.
+bool Mender::remove(VertexH v) {
+  if (!is_loose(v) || mesh_.data(v).layer != 0) return false;
+  std::vector<FaceH> star;
+  std::vector<VertexH> ring;
+  const HalfedgeH first = mesh_.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    star.push_back(mesh_.face(h));
+    for (HalfedgeH side = mesh_.next(h); mesh_.to(side) != v; side = mesh_.next(side)) {
+      ring.push_back(mesh_.from(side));
+    }
+    h = mesh_.rotate_ccw(h);
+  } while (h != first);
+  return recut_cavity(star, ring);
+}
+
+// Cuts a triangle together with the triangles beside it anew.
+bool Mender::recut_about(FaceH face) {
+  std::vector<FaceH> cavity{face};
+  std::vector<VertexH> ring;
   const HalfedgeH first = mesh_.halfedge(face);
   HalfedgeH h = first;
   do {
-    if (collapse(h) || collapse(SurfaceMesh::twin(h))) return true;
+    const HalfedgeH t = SurfaceMesh::twin(h);
+    ring.push_back(mesh_.from(h));
+    if (!mesh_.is_border(t) && mesh_.is_triangle(t) && !mesh_.curve(h).valid()) {
+      cavity.push_back(mesh_.face(t));
+      ring.push_back(mesh_.to(mesh_.next(t)));
+    }
     h = mesh_.next(h);
   } while (h != first);
+  return recut_cavity(cavity, ring);
+}
+
+bool Mender::mend(FaceH face, bool thoroughly) {
+  if (mend_by_edges(face)) return true;
+  for (const VertexH v : corners_around(mesh_, face)) {
+    if (thoroughly && relocate(v)) return true;
+  }
+  for (const VertexH v : corners_around(mesh_, face)) {
+    if (remove(v)) return true;
+  }
+  const HalfedgeH first = mesh_.halfedge(face);
+  if (mesh_.is_triangle(first)) return recut_about(face);
   // No better, but the next pass has more to choose from.
-  return !mesh_.is_triangle(first) && divide_quad(face, faults(face));
+  return divide_quad(face, faults(face));
 }
 
 bool Mender::mend_by_edges(FaceH face) {
@@ -286,20 +336,27 @@ bool is_inverted(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface) {
   return uprightness(mesh, corners_around(mesh, face), surface) < 0.0;
 }
 
+bool is_steep(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface) {
+  return uprightness(mesh, corners_around(mesh, face), surface) < kSteep;
+}
+
 int mend_inverted(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
   Mender mender(mesh, surface);
   int left = 0;
-  bool mended = true;
-  for (int pass = 0; pass < kPasses && mended; ++pass) {
+  bool thoroughly = false;
+  for (int pass = 0; pass < kPasses; ++pass) {
     left = 0;
-    mended = false;
+    bool mended = false;
     for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
       cancel.check();
       const FaceH f(i);
       if (!mesh.alive(f) || !mender.is_faulty(f)) continue;
       ++left;
-      mended = mender.mend(f) || mended;
+      mended = mender.mend(f, thoroughly) || mended;
     }
+    const bool few = left > 0 && left <= kMostThoroughly;
+    if (!mended && (thoroughly || !few)) break;
+    thoroughly = few;
   }
   return left;
 }

@@ -11,6 +11,9 @@ namespace advlayers {
 // where it has no area. The measure of the report and the bars.
 bool is_inverted(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface);
 
+// True where it is turned over, or leans so far that it makes a fold with its neighbours.
+bool is_steep(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface);
+
 // Tries to turn inverted elements back by flips, by cutting the pentagon with a neighbour anew, by
 // dividing quads: whichever leaves fewer inverted. Layers are cut into where nothing else helps;
 // the border stays. Returns the number of elements still inverted. Throws Cancelled.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
 #include "geometry/model.h"
 #include "triangulate/triangle_score.h"
@@ -48,6 +49,12 @@ double deviation(const SurfaceMesh& mesh, const std::array<VertexH, 3>& corners,
   return worst_corner;
 }
 
+void add_border_edges(const SurfaceMesh& mesh, VertexH v, std::set<EdgeId>& edges) {
+  if (!mesh.is_border(v)) return;
+  const HalfedgeH out = mesh.outgoing(v);
+  edges.insert({mesh.curve(out), mesh.curve(mesh.prev(out))});
+}
+
 Diagnostic diagnostic(Severity severity, const std::string& code, FaceId face, const Offence& o,
                       const std::string& fault) {
   char text[160];
@@ -64,8 +71,9 @@ Diagnostic diagnostic(Severity severity, const std::string& code, FaceId face, c
 
 }  // namespace
 
-std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
-                                        const CancelFlag& cancel) {
+Deviations check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
+                           const CancelFlag& cancel) {
+  std::set<EdgeId> edges;
   std::map<FaceId, Offence> inverted, deviating;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     cancel.check();
@@ -86,18 +94,20 @@ std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& s
     const FaceId face = mesh.data(corners[0]).point.face;
     if (!(cosine > 0) || angle >= M_PI / 2) {
       inverted[face].add(std::max(angle, worst_corner), a);
+      for (const VertexH v : corners) add_border_edges(mesh, v, edges);
     } else if (angle > kDeviationBound) {
       deviating[face].add(angle, a);
     }
   }
-  std::vector<Diagnostic> found;
+  Deviations found;
+  found.edges_of_inverted.assign(edges.begin(), edges.end());
   for (const auto& [face, o] : inverted) {
-    found.push_back(diagnostic(Severity::kError, "triangulation-inverted", face, o,
-                               "turned over against the surface"));
+    found.diagnostics.push_back(diagnostic(Severity::kError, "triangulation-inverted", face, o,
+                                           "turned over against the surface"));
   }
   for (const auto& [face, o] : deviating) {
-    found.push_back(diagnostic(Severity::kWarning, "triangulation-deviates", face, o,
-                               "more than 30 degrees off the surface"));
+    found.diagnostics.push_back(diagnostic(Severity::kWarning, "triangulation-deviates", face, o,
+                                           "more than 30 degrees off the surface"));
   }
   return found;
 }

@@ -10,9 +10,15 @@
 
 namespace advlayers {
 
-// "triangulation-inverted" (error) and "triangulation-deviates" (warning), each once for every CAD
-// face that has such triangles, at the worst of them, with their number.
-std::vector<Diagnostic> check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
-                                        const CancelFlag& cancel);
+struct Deviations {
+  std::vector<Diagnostic> diagnostics;
+  // Sorted: of the border about triangles that are turned over.
+  std::vector<EdgeId> edges_of_inverted;
+};
+
+// Diagnostics: "triangulation-inverted" (error) and "triangulation-deviates" (warning), each once
+// for every CAD face that has such triangles, at the worst of them, with their number.
+Deviations check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
+                           const CancelFlag& cancel);
 
 }  // namespace advlayers

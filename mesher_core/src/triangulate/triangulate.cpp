@@ -33,6 +33,17 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - s * d).norm();
 }
 
+// Whether the mesh edges leave the CAD edge: cut finer, they would leave it less.
+bool is_bent(const Model& model, const Discretization& boundary, EdgeId edge) {
+  const auto& nodes = boundary.edges[edge.index()].nodes;
+  double chords = 0;
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    chords +=
+        (boundary.nodes[nodes[k].index()].xyz - boundary.nodes[nodes[k - 1].index()].xyz).norm();
+  }
+  return model.edge(edge).length > chords * (1 + 1e-6);
+}
+
 // The boundary of one face as a triangulation without interior points.
 class BoundaryTriangulation {
  public:
@@ -140,7 +151,11 @@ Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
   improve_surface(glued, surface, cancel);
   Triangulation result;
   result.mesh = std::move(glued.mesh);
-  result.diagnostics = check_deviation(result.mesh, surface, cancel);
+  Deviations deviations = check_deviation(result.mesh, surface, cancel);
+  result.diagnostics = std::move(deviations.diagnostics);
+  for (const EdgeId edge : deviations.edges_of_inverted) {
+    if (is_bent(evaluator.model(), boundary, edge)) result.coarse_edges.push_back(edge);
+  }
   return result;
 }
 

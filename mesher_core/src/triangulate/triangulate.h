@@ -21,6 +21,9 @@ struct Triangulation {
   // is too sharp to be followed, with Support::kEdge and no node.
   SurfaceMesh mesh;
   std::vector<Diagnostic> diagnostics;
+  // Sorted: curved edges beside which triangles are turned over, as their mesh edges leave them by
+  // more than a narrow face is wide. Cut finer, they may do better.
+  std::vector<EdgeId> coarse_edges;
 };
 
 // The mesh edges on these CAD edges are too long for the shape between them: they cross each other,
