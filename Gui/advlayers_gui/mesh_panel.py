@@ -100,7 +100,7 @@ class MeshPanel(TaskPanel):
         try:
             self._store()
         except InputError as error:
-            self._run.say(str(error))
+            self._run.fail(str(error))
             return False
         if self._outcome is not None:
             with _busy_pointer():
@@ -208,7 +208,7 @@ class MeshPanel(TaskPanel):
     def _changed(self) -> None:
         wrong = self._preview_heights(self._object)
         if wrong:
-            self._run.say(wrong)
+            self._run.say(wrong, wrong=True)
         elif not self._run.running:
             layer_mesh.refresh_state(self._object)
             lines = (state_text(self._object), self.heights.caption())

@@ -12,6 +12,7 @@ from advlayers.language import tr
 from advlayers_gui.mesh_task import Canvas, MeshTask, Outcome, Progress
 
 _STEPS = 1000  # of the progress bar
+_WRONG_COLOUR = "#c8202c"  # to be read on light and on dark
 
 
 class RunBox:
@@ -45,13 +46,14 @@ class RunBox:
     def running(self) -> bool:
         return self._task is not None
 
-    def say(self, text: str) -> None:
+    def say(self, text: str, wrong: bool = False) -> None:
+        self._status.setStyleSheet(f"color: {_WRONG_COLOUR}" if wrong else "")
         self._status.setText(text)
 
     def fail(self, text: str) -> None:
         """Tells an error where the user looks, and in the report view."""
         FreeCAD.Console.PrintError(f"Advancing Layers: {text}\n")
-        self.say(text)
+        self.say(text, wrong=True)
 
     def start(self) -> bool:
         """Whether the run is under way; if not, the status line says why."""

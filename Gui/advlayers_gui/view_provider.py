@@ -6,9 +6,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 from pivy import coin
+from PySide import QtGui
 
 from advlayers.controls import children, is_control, mesh_of
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.layer_mesh import LOST_REFERENCES, OUT_OF_DATE
 from advlayers.properties import HIDDEN
 from advlayers.proxy import Stateless
@@ -48,6 +50,10 @@ class EditedInPanel:
             self.panel = None
             FreeCADGui.Control.closeDialog()
         return True
+
+    def setupContextMenu(self, view_object, menu) -> None:
+        edit = menu.addAction(QtGui.QIcon(self.getIcon()), tr("Edit"))
+        edit.triggered.connect(lambda _checked=False: self.doubleClicked(view_object))
 
     def doubleClicked(self, view_object) -> bool:
         if FreeCADGui.Control.activeDialog():

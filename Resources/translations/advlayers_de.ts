@@ -299,6 +299,10 @@
         <translation>Kante</translation>
     </message>
     <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
         <source>End height</source>
         <translation>Endhöhe</translation>
     </message>

@@ -299,6 +299,10 @@
         <translation>Arête</translation>
     </message>
     <message>
+        <source>Edit</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
         <source>End height</source>
         <translation>Hauteur finale</translation>
     </message>

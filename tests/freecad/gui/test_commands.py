@@ -318,6 +318,13 @@ def test_the_context_menu(box, mesh):
     assert commands.context_commands() == []
     select((mesh, ""))
     assert "AdvLayers_Update" in commands.context_commands()
+    menu = QtGui.QMenu()
+    mesh.ViewObject.Proxy.setupContextMenu(mesh.ViewObject, menu)
+    (edit,) = menu.actions()
+    edit.trigger()
+    events()
+    assert FreeCADGui.Control.activeDialog()
+    press_cancel()
 
 
 def test_export_filters_name_every_format():
