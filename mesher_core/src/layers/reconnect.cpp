@@ -10,7 +10,8 @@ namespace advlayers {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-// A swap must gain at least this angle [rad], or equal diagonals would swap for ever.
+// The tangent of the smallest angle must gain this at a swap, or equal diagonals would swap for
+// ever.
 constexpr double kSwapGain = 1e-6;
 
 struct SwapCorners {
@@ -25,7 +26,7 @@ SwapCorners swap_corners(const SurfaceMesh& mesh, HalfedgeH h) {
 // The best collapse of v that is found, and its worth.
 struct Collapse {
   HalfedgeH halfedge;
-  double angle = -1.0;
+  double tangent = -1.0;  // of the least angle that it leaves
 };
 
 double dihedral_cosine(const Vec3& m, const Vec3& n) {
@@ -35,14 +36,14 @@ double dihedral_cosine(const Vec3& m, const Vec3& n) {
 
 // The triangles about v after v -> w, tested one by one against `limits`.
 Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
-                      const ReconnectLimits& limits, double& worst_angle) {
+                      const ReconnectLimits& limits, double& least_tangent) {
   const VertexH v = mesh.from(h);
   const Corner w = corner(mesh, mesh.to(h));
   const Corner old = corner(mesh, v);
   double allowed = std::cos(limits.deviation * kDegree);
   double allowed_at_corner = std::cos(limits.at_corner * kDegree), at_corner = 1.0;
   double least = INFINITY, largest = 0.0, deviation = 1.0, fold = 1.0;
-  worst_angle = M_PI;
+  least_tangent = INFINITY;
   Vec3 last = Vec3::Zero();
   for (HalfedgeH o = mesh.rotate_ccw(h); o != h; o = mesh.rotate_ccw(o)) {
     const Corner p = corner(mesh, mesh.to(o));
@@ -50,8 +51,8 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
     allowed = std::min(allowed, deviation_cosine(old, p, q));
     allowed_at_corner = std::min(allowed_at_corner, corner_cosine(old, p, q));
     if (mesh.to(mesh.next(o)) == mesh.to(h)) break;
-    worst_angle = std::min(worst_angle, settled(min_angle(w, p, q)));
-    if (worst_angle <= 0.0) return Veto::kInverts;
+    least_tangent = std::min(least_tangent, settled(min_angle_tangent(w, p, q)));
+    if (least_tangent <= 0.0) return Veto::kInverts;
     const double area2 = signed_area2(w, p, q);
     least = std::min(least, area2);
     largest = std::max(largest, area2);
@@ -75,11 +76,11 @@ Collapse best_collapse(const SurfaceMesh& mesh, VertexH v, Removal removal,
   const HalfedgeH first = mesh.outgoing(v);
   HalfedgeH h = first;
   do {
-    double angle = 0.0;
+    double tangent = 0.0;
     Veto veto = mesh.collapse_veto(h);
-    if (veto == Veto::kNone) veto = collapse_quality(mesh, h, removal, limits, angle);
+    if (veto == Veto::kNone) veto = collapse_quality(mesh, h, removal, limits, tangent);
     count(tally, veto);
-    if (veto == Veto::kNone && angle > best.angle) best = {h, angle};
+    if (veto == Veto::kNone && tangent > best.tangent) best = {h, tangent};
     h = mesh.rotate_cw(h);
   } while (h != first);
   return best;
@@ -117,10 +118,12 @@ Veto quality_veto(const SurfaceMesh& mesh, HalfedgeH h, const ReconnectLimits& l
   const Veto veto = mesh.flip_veto(h);
   if (veto != Veto::kNone) return veto;
   const auto [a, b, c, d] = swap_corners(mesh, h);
-  const double before = std::min(min_angle(a, b, c), min_angle(b, a, d));
-  const double after = std::min(min_angle(d, c, a), min_angle(c, d, b));
-  if (after <= 0.0) return Veto::kInverts;
-  if (after <= before + kSwapGain) return Veto::kLowersQuality;
+  const double needed =
+      std::min(min_angle_tangent(a, b, c), min_angle_tangent(b, a, d)) + kSwapGain;
+  for (const double after : {min_angle_tangent(d, c, a), min_angle_tangent(c, d, b)}) {
+    if (after <= 0.0) return Veto::kInverts;
+    if (after <= needed) return Veto::kLowersQuality;
+  }
   const double worst = std::min(deviation_cosine(a, b, c), deviation_cosine(b, a, d));
   const double made = std::min(deviation_cosine(d, c, a), deviation_cosine(c, d, b));
   if (made < std::min(worst, std::cos(limits.deviation * kDegree))) return Veto::kLeavesSurface;

@@ -12,11 +12,11 @@ double signed_area2(const Corner& a, const Corner& b, const Corner& c) {
   return (b.xyz - a.xyz).cross(c.xyz - a.xyz).dot(normal) / length;
 }
 
-double min_angle(const Corner& a, const Corner& b, const Corner& c) {
+double min_angle_tangent(const Corner& a, const Corner& b, const Corner& c) {
   const Vec3 ab = b.xyz - a.xyz, bc = c.xyz - b.xyz, ca = a.xyz - c.xyz;
   // The smallest angle lies opposite the shortest side, between the two longer ones.
   const double ab2 = ab.squaredNorm(), bc2 = bc.squaredNorm(), ca2 = ca.squaredNorm();
-  const double area2 = ab.cross(bc).norm();
+  const Vec3 cross = ab.cross(bc);
   double dot = 0.0;
   if (ab2 <= bc2 && ab2 <= ca2) {
     dot = -bc.dot(ca);
@@ -25,8 +25,12 @@ double min_angle(const Corner& a, const Corner& b, const Corner& c) {
   } else {
     dot = -ab.dot(bc);
   }
-  const double angle = std::atan2(area2, dot);
-  return signed_area2(a, b, c) > 0.0 ? angle : -angle;
+  const double tangent = dot > 0.0 ? cross.norm() / dot : 0.0;
+  return cross.dot(a.normal + b.normal + c.normal) > 0.0 ? tangent : -tangent;
+}
+
+double min_angle(const Corner& a, const Corner& b, const Corner& c) {
+  return std::atan(min_angle_tangent(a, b, c));
 }
 
 double deviation_cosine(const Corner& a, const Corner& b, const Corner& c) {

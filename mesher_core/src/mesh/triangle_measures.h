@@ -19,7 +19,9 @@ inline Corner corner(const SurfaceMesh& mesh, VertexH v) {
 // that is counter-clockwise as seen from outside.
 double signed_area2(const Corner& a, const Corner& b, const Corner& c);
 
-// The smallest angle [rad]; negative where the triangle is turned over.
+// The smallest angle [rad]; negative where the triangle is turned over, 0 where it is a point. Its
+// tangent costs less, and tells as well which of two is greater.
+double min_angle_tangent(const Corner& a, const Corner& b, const Corner& c);
 double min_angle(const Corner& a, const Corner& b, const Corner& c);
 
 // Cosine of the angle between the triangle's normal and the mean of its corners' normals (paper,
