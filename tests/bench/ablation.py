@@ -21,6 +21,7 @@ sys.path.append(os.path.join(ROOT, "tests", "fuzz"))
 
 import cases  # noqa: E402 - tests/fuzz must be on the path for the next
 import face_cases  # noqa: E402
+from json_file import write_json  # noqa: E402
 
 
 def shapes(faces: int) -> Iterator[Tuple[Any, Dict[str, Any]]]:
@@ -77,8 +78,7 @@ def main() -> None:
               f"{row['angles']:6.2f} {row['below_20']:6.3f} {row['inverted']:3d} "
               f"{row['seconds']:7.2f}")
     if asked.json:
-        with open(asked.json, "w", encoding="utf-8") as stream:
-            json.dump({"shapes": len(rows), "rows": table}, stream, indent=1)
+        write_json(asked.json, {"shapes": len(rows), "rows": table})
 
 
 if __name__ == "__main__":

@@ -20,6 +20,8 @@ import tempfile
 import time
 from typing import Any, Dict, List
 
+from json_file import write_json
+
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BATCH = os.path.join(ROOT, "App", "advlayers_batch.py")
 ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd", ".stl")
@@ -132,8 +134,7 @@ def main() -> int:
             print(f"diagonal/{parts:g}: quads in the median {statistics.median(quads):.2f} %, "
                   f"least {min(quads):.2f} %")
     if asked.json:
-        with open(asked.json, "w", encoding="utf-8") as stream:
-            json.dump(rows, stream, indent=1)
+        write_json(asked.json, rows)
     return 1 if failed else 0
 
 

@@ -27,6 +27,7 @@ import numpy as np
 
 import advlayers_core as core
 from cases import CASES, Case
+from json_file import write_json
 from layer_heights import measure
 from mesh_checks import Elements
 
@@ -196,8 +197,7 @@ def main() -> int:
             keep(asked.meshes, case, mesh)
         rows.append(row)
     if asked.json:
-        with open(asked.json, "w", encoding="utf-8") as stream:
-            json.dump(rows, stream, indent=1)
+        write_json(asked.json, rows)
     return 1 if faults else 0
 
 

@@ -25,6 +25,7 @@ from typing import Any, Callable, Dict, List, Optional
 import advlayers_core as core
 import cases
 from freecad_part import FreeCAD, Part
+from json_file import write_json
 
 V = FreeCAD.Vector
 PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "gmsh_peer.py")
@@ -190,8 +191,7 @@ def main() -> int:
     result = {"surfaces": by_surface(asked.runs), "scaling": scaling(asked.runs, asked.largest),
               "threads": threads(asked.runs)}
     if asked.json:
-        with open(asked.json, "w", encoding="utf-8") as stream:
-            json.dump(result, stream, indent=1)
+        write_json(asked.json, result)
     return 0
 
 

@@ -21,6 +21,7 @@ import time
 from typing import Any, Dict, List
 
 import case_runner
+from json_file import write_json
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 OUT = os.path.join(ROOT, "out", "soak")
@@ -76,8 +77,7 @@ def soak(name: str, asked: argparse.Namespace) -> List[str]:
           f"{time.perf_counter() - start:.0f} s")
     failed += importlib.import_module(part.module).summary(rows)
     if asked.json:
-        with open(asked.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+        write_json(asked.json, rows)
     return failed
 
 
