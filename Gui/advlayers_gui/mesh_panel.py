@@ -161,17 +161,19 @@ class MeshPanel(TaskPanel):
         self._forms.append(SettingsForm(
             self._object, [entries.pop(key) for key in _FIRST], form, self._changed,
             self._run.say))
-        layout.addWidget(self._grow_from_all())
+        layout.addWidget(self._flag("GrowFromAll", tr("Layers from all edges")))
+        layout.addWidget(self._flag("AutoUpdate", tr("Update automatically")))
         layout.addWidget(self._advanced(entries.values()))
         layout.addStretch()
         return tab
 
-    def _grow_from_all(self):
-        box = QtGui.QCheckBox(tr("Layers from all edges"))
-        box.setObjectName("AdvLayers_grow_from_all")
-        box.setToolTip(self._object.getDocumentationOfProperty("GrowFromAll"))
-        box.setChecked(self._object.GrowFromAll)
-        box.toggled.connect(self._set_grow_from_all)
+    def _flag(self, name: str, text: str):
+        """A box to tick for a property that is no setting of a job."""
+        box = QtGui.QCheckBox(text)
+        box.setObjectName(f"AdvLayers_{name}")
+        box.setToolTip(self._object.getDocumentationOfProperty(name))
+        box.setChecked(getattr(self._object, name))
+        box.toggled.connect(lambda on: self._set_flag(name, on))
         return box
 
     def _advanced(self, entries):
@@ -201,8 +203,8 @@ class MeshPanel(TaskPanel):
         self._object.Faces = names
         self._changed()
 
-    def _set_grow_from_all(self, on: bool) -> None:
-        self._object.GrowFromAll = on
+    def _set_flag(self, name: str, on: bool) -> None:
+        setattr(self._object, name, on)
         self._changed()
 
     def _changed(self) -> None:

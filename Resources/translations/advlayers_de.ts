@@ -615,6 +615,10 @@
         <translation>Aktuell</translation>
     </message>
     <message>
+        <source>Update automatically</source>
+        <translation>Automatisch aktualisieren</translation>
+    </message>
+    <message>
         <source>Values</source>
         <translation>Werte</translation>
     </message>

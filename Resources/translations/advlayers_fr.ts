@@ -615,6 +615,10 @@
         <translation>À jour</translation>
     </message>
     <message>
+        <source>Update automatically</source>
+        <translation>Mise à jour automatique</translation>
+    </message>
+    <message>
         <source>Values</source>
         <translation>Valeurs</translation>
     </message>

@@ -75,6 +75,18 @@ def test_every_setting_can_be_reached(opened):
     assert "Layer2" in names and "Layer3" not in names
 
 
+def test_a_mesh_may_update_itself(opened, box):
+    automatic = child(QtGui.QCheckBox, "AdvLayers_AutoUpdate")
+    assert automatic.toolTip() and not automatic.isChecked()
+    automatic.setChecked(True)
+    press_ok()
+    assert opened.AutoUpdate and opened.State == layer_mesh.UP_TO_DATE
+    quads = opened.QuadCount
+    box.Length = 60
+    box.Document.recompute()
+    assert opened.State == layer_mesh.UP_TO_DATE and opened.QuadCount > quads
+
+
 def test_an_expression_rules_a_field(opened, box):
     opened.setExpression("Size", "Box.Length / 10")
     box.Document.recompute()
