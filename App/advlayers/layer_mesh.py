@@ -10,7 +10,7 @@ import contextlib
 import json
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Optional, Sequence
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from advlayers import (
     analysis, cad_input, controls, fem_mesh, freshness, mesh_data, mesh_history, migrations)
@@ -76,6 +76,7 @@ class LayerMesh(Stateless):
     """Proxy of a Fem::FemMeshObjectPython."""
 
     Type = "AdvancingLayers::LayerMesh"
+    latest: Tuple[str, Optional[MeshData]] = ("", None)  # see mesh_data.remember()
 
     def __init__(self, document_object) -> None:
         document_object.Proxy = self
