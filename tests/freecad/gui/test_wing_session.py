@@ -64,8 +64,8 @@ def watch_the_run(panel):
         count = panel.scene.layer_element_count
         if panel.meshing and not panel.scene.busy and count > shown[-1]:
             shown.append(count)
-            if len(shown) < 6:
-                screenshot("wing-growing.png", settle=0.0)
+            if count < 0.8 * panel.scene.element_count:  # the last one that shows both
+                screenshot("wing-growing.png", settle=0.01)
         return not panel.meshing and not panel.scene.busy
 
     wait_for(look)
