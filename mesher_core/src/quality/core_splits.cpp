@@ -4,22 +4,18 @@
 #include <cmath>
 #include <vector>
 
+#include "quality/bend_middle.h"
 #include "quality/core_region.h"
 #include "quality/element_measures.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kBentCosine = 0.7660444431;  // of 40 degrees
+constexpr double kBentCosine = 0.8480480962;  // of 32 degrees
 // A bend sharper than the surface's own kinks would be split for ever.
 constexpr int kMostHalvings = 5;
 // A triangle that a split makes may not be worse than this, nor than the one it replaces.
 constexpr double kLeastSine = 0.17;
-constexpr double kLeastGain = 0.25;  // of the bend's 1 - cosine
-
-double bend_cosine(const SurfaceMesh& mesh, HalfedgeH h) {
-  return mesh.data(mesh.from(h)).normal.dot(mesh.data(mesh.to(h)).normal);
-}
 
 // The sine of the smallest angle against the three normals' mean.
 double shape_of(const VertexData& a, const VertexData& b, const VertexData& c) {
@@ -35,35 +31,6 @@ bool split_helps(const SurfaceMesh& mesh, HalfedgeH h, const VertexData& middle)
     if (shape_of(a, middle, c) < least || shape_of(middle, b, c) < least) return false;
   }
   return true;
-}
-
-// The point half-way around the bend from one end to the other: the foot of the top of a circular
-// arc over the edge, as the foot of the chord's middle may lie back on either side of the bend; or
-// that foot, where the surface twists about the edge.
-bool find_middle(const SurfaceMesh& mesh, PatchSurface& surface, HalfedgeH h, VertexData& middle) {
-  const VertexData &a = mesh.data(mesh.from(h)), &b = mesh.data(mesh.to(h));
-  const Vec3 chord = b.point.xyz - a.point.xyz;
-  const Vec3 outward = a.normal + b.normal;
-  const double before = bend_cosine(mesh, h);
-  const double turn = std::acos(std::clamp(before, -1.0, 1.0));
-  // Where the surface bends inward between the ends, so does the arc.
-  const double side = a.normal.dot(chord) < b.normal.dot(chord) ? 1.0 : -1.0;
-  const double rise = side * 0.5 * chord.norm() * std::tan(0.25 * turn);
-  const Vec3 half = a.point.xyz + 0.5 * chord;
-  double best = before + kLeastGain * (1.0 - before);
-  for (const Vec3& target : {Vec3(half + rise * outward.normalized()), half}) {
-    for (const VertexData* seed : {&a, &b}) {
-      VertexData found;
-      if (!surface.project(target, seed->point, found.point)) continue;
-      found.normal = surface.normal(found.point);
-      const double after = std::min(found.normal.dot(a.normal), found.normal.dot(b.normal));
-      if (after <= best) continue;
-      best = after;
-      middle.point = found.point;
-      middle.normal = found.normal;
-    }
-  }
-  return best > before + kLeastGain * (1.0 - before);
 }
 
 }  // namespace
@@ -85,7 +52,7 @@ int split_bent_edges(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag&
     const auto [h, halvings] = waiting[i];
     if (mesh.split_edge_veto(h) != Veto::kNone) continue;
     VertexData middle;
-    if (!find_middle(mesh, surface, h, middle)) continue;
+    if (!find_bend_middle(mesh, surface, h, middle)) continue;
     if (!split_helps(mesh, h, middle)) continue;
     const VertexH v = mesh.split_edge(h, middle);
     ++splits;

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <set>
 #include <vector>
 
+#include "quality/bend_middle.h"
 #include "quality/cheapest_triangles.h"
+#include "quality/element_faults.h"
 #include "quality/element_measures.h"
 #include "quality/pentagon.h"
 
@@ -14,97 +15,12 @@ namespace advlayers {
 namespace {
 
 constexpr int kPasses = 7;
-constexpr int kMostThoroughly = 200;  // faulty elements whose vertices are moved about
-// The corners' normals decide where all agree with the element by this cosine; the projection of
-// the centroid is spared then.
-constexpr double kClearlyUpright = 0.3;
-// An element that leans more than 75 degrees from the surface makes a fold with its neighbours.
-constexpr double kSteep = 0.26;
-constexpr int kTurnedOver = 4, kFolded = 2;
+constexpr int kMostThoroughly = 200;     // faulty elements whose vertices are moved about
+constexpr double kSplitBend = 0.5;       // cosine between the normals at an edge's ends
 constexpr double kFaultCost = 100.0;     // of a fault, against the shape of a triangle
 constexpr std::size_t kMostInRing = 12;  // corners of a cavity
 // How far a vertex is moved towards a neighbour or their mean.
 constexpr std::array<double, 5> kShares{0.05, 0.15, 0.3, 0.5, 0.75};
-
-struct FaceCorners {
-  std::array<VertexH, 4> vertex;
-  std::size_t count = 0;
-
-  std::size_t size() const { return count; }
-  VertexH operator[](std::size_t k) const { return vertex[k]; }
-  const VertexH* begin() const { return vertex.data(); }
-  const VertexH* end() const { return vertex.data() + count; }
-};
-
-FaceCorners corners_around(const SurfaceMesh& mesh, FaceH face) {
-  FaceCorners corners;
-  const HalfedgeH first = mesh.halfedge(face);
-  HalfedgeH h = first;
-  do {
-    corners.vertex[corners.count++] = mesh.from(h);
-    h = mesh.next(h);
-  } while (h != first && corners.count < 4);
-  return corners;
-}
-
-template <class Corners>
-Vec3 area_of(const SurfaceMesh& mesh, const Corners& v) {
-  const Vec3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]);
-  if (v.size() == 3) return (b - a).cross(c - a);
-  return (c - a).cross(mesh.position(v[v.size() - 1]) - b);
-}
-
-// The cosine between the element's normal and the surface's at the foot of its centroid, or 1 where
-// the corners' normals tell that it is upright; -1 where it has no area.
-template <class Corners>
-double uprightness(const SurfaceMesh& mesh, const Corners& corners, PatchSurface& surface) {
-  const Vec3 area = area_of(mesh, corners);
-  const double size = area.norm();
-  if (!(size > 0.0)) return -1.0;
-  bool upright = true;
-  Vec3 center = Vec3::Zero();
-  for (const VertexH v : corners) {
-    upright = upright && mesh.data(v).normal.dot(area) > kClearlyUpright * size;
-    center += mesh.position(v) / static_cast<double>(corners.size());
-  }
-  if (upright) return 1.0;
-  // Two sheets of the surface may lie close together: the nearest foot counts.
-  double nearest = std::numeric_limits<double>::infinity();
-  double side = 0.0;
-  for (const VertexH v : corners) {
-    SurfacePoint foot;
-    if (!surface.project(center, mesh.data(v).point, foot)) continue;
-    const double distance = (foot.xyz - center).norm();
-    if (distance >= nearest) continue;
-    nearest = distance;
-    side = surface.normal(foot).dot(area);
-  }
-  return side / size;
-}
-
-// True where a corner of a quad turns back, against the surface at its corners or against the
-// quad's own normal: over a bend the one says nothing of the other.
-template <class Corners>
-bool has_folded_corner(const SurfaceMesh& mesh, const Corners& v) {
-  Vec3 normal = Vec3::Zero();
-  for (const VertexH corner : v) normal += mesh.data(corner).normal;
-  for (const Vec3& against : {normal, area_of(mesh, v)}) {
-    if (right_angle_quality(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]),
-                            mesh.position(v[v.size() - 1]), against) < 0.0) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// What mending is to remove, by weight: an element turned over, a folded corner, a steep element.
-template <class Corners>
-int faults_of(const SurfaceMesh& mesh, const Corners& v, PatchSurface& surface) {
-  const double upright = uprightness(mesh, v, surface);
-  if (upright < 0.0) return kTurnedOver;
-  if (v.size() == 4 && has_folded_corner(mesh, v)) return kFolded;
-  return upright < kSteep ? 1 : 0;
-}
 
 class Mender {
  public:
@@ -114,14 +30,10 @@ class Mender {
   bool mend(FaceH face, bool thoroughly);
 
  private:
-  template <class Corners>
-  int faults(const Corners& corners) {
-    return faults_of(mesh_, corners, surface_);
-  }
+  int faults(const FaceCorners& corners) { return faults_of(mesh_, corners, surface_); }
   int faults(FaceH face) { return faults(corners_around(mesh_, face)); }
 
   int faults_about(VertexH v);
-  int faults_after_collapse(HalfedgeH h);
 
   bool is_loose(VertexH v) const;
   bool divide_quad(FaceH face, int most);
@@ -130,6 +42,7 @@ class Mender {
   bool mend_by_edges(FaceH face);
   bool relocate(VertexH v);
   bool remove(VertexH v);
+  bool split_bend(HalfedgeH h);
   bool recut_about(FaceH face);
   bool recut_cavity(const std::vector<FaceH>& cavity, const std::vector<VertexH>& ring);
 
@@ -299,6 +212,22 @@ bool Mender::recut_about(FaceH face) {
   return recut_cavity(cavity, ring);
 }
 
+// Splits the edge between two triangles half-way around the surface's bend.
+bool Mender::split_bend(HalfedgeH h) {
+  if (mesh_.is_border(h) || mesh_.is_border(SurfaceMesh::twin(h))) return false;
+  if (mesh_.curve(h).valid() || bend_cosine(mesh_, h) > kSplitBend) return false;
+  VertexData middle;
+  if (mesh_.split_edge_veto(h) != Veto::kNone || !find_bend_middle(mesh_, surface_, h, middle)) {
+    return false;
+  }
+  const int before = faults(mesh_.face(h)) + faults(mesh_.face(SurfaceMesh::twin(h)));
+  const VertexH back = mesh_.to(h);
+  const VertexH v = mesh_.split_edge(h, middle);
+  if (faults_about(v) < before) return true;
+  mesh_.collapse(mesh_.find_halfedge(v, back));
+  return false;
+}
+
 bool Mender::mend(FaceH face, bool thoroughly) {
   if (mend_by_edges(face)) return true;
   for (const VertexH v : corners_around(mesh_, face)) {
@@ -308,7 +237,13 @@ bool Mender::mend(FaceH face, bool thoroughly) {
     if (remove(v)) return true;
   }
   const HalfedgeH first = mesh_.halfedge(face);
-  if (mesh_.is_triangle(first)) return recut_about(face);
+  if (mesh_.is_triangle(first)) {
+    const HalfedgeH second = mesh_.next(first);
+    for (const HalfedgeH h : {first, second, mesh_.next(second)}) {
+      if (split_bend(h)) return true;
+    }
+    return recut_about(face);
+  }
   // No better, but the next pass has more to choose from.
   return divide_quad(face, faults(face));
 }
