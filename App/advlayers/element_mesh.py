@@ -4,11 +4,12 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import Any, Dict, Tuple
+from typing import Any, Callable, Dict
 
 import numpy as np
 
 _GROUP = re.compile(r"(Layer|Face|Edge)([0-9]+)")
+_BLOCK = 10_000  # elements
 
 
 @dataclass(frozen=True)
@@ -72,20 +73,21 @@ def _corners(cells, corners: int):
     return flat.reshape(-1, corners)
 
 
-def angles(mesh: ElementMesh) -> Tuple[Any, Any]:
-    """Corner angles [deg] of the quads (q, 4) and of the triangles (t, 3)."""
-    return _corner_angles(mesh.nodes, mesh.quads), _corner_angles(mesh.nodes, mesh.triangles)
-
-
 def angles_of(mesh: ElementMesh, element: int):
     """Corner angles [deg] of one element, counted from 0."""
     return _corner_angles(mesh.nodes, mesh.corners(element)[np.newaxis])[0]
 
 
-def quality(mesh: ElementMesh):
-    """(q + t,) from 0 (flat or turned over) to 1 (every angle is the ideal one, 90 or 60 deg)."""
-    quads, triangles = angles(mesh)
-    return np.concatenate([_equiangular(quads, 90.0), _equiangular(triangles, 60.0)])
+def quality(mesh: ElementMesh, check: Callable[[], None] = lambda: None):
+    """(q + t,) from 0 (flat or turned over) to 1 (every angle is the ideal one, 90 or 60 deg).
+    `check` is called every few milliseconds, and may raise."""
+    parts = [np.zeros(0)]
+    for cells, ideal in ((mesh.quads, 90.0), (mesh.triangles, 60.0)):
+        for start in range(0, len(cells), _BLOCK):
+            check()
+            corners = _corner_angles(mesh.nodes, cells[start:start + _BLOCK])
+            parts.append(_equiangular(corners, ideal))
+    return np.concatenate(parts)
 
 
 def aspect_ratio(mesh: ElementMesh):
@@ -109,8 +111,6 @@ def _corner_angles(nodes, cells):
 
 
 def _equiangular(corner_angles, ideal: float):
-    if not len(corner_angles):
-        return np.zeros(0)
     widest, narrowest = corner_angles.max(axis=1), corner_angles.min(axis=1)
     return 1.0 - np.maximum((widest - ideal) / (180.0 - ideal), (ideal - narrowest) / ideal)
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Tuple
 
 import numpy as np
 
@@ -47,6 +47,11 @@ class MeshData:
         if name not in self._fields:
             self._fields[name] = _MAKERS[name](self)
         return self._fields[name]
+
+    def prepare(self, check: Callable[[], None]) -> None:
+        """Works the quality out, which takes a while; `check` is called on the way and may raise.
+        """
+        self._fields[QUALITY] = element_mesh.quality(self.mesh, check)
 
     def height_errors(self):
         errors = np.array(self.relative_height_errors, float)

@@ -12,7 +12,7 @@ from advlayers import layer_mesh, mesh_data, preferences
 from advlayers.core_access import load_core
 from advlayers.element_mesh import ElementMesh, of_core
 from advlayers.errors import Stopped
-from advlayers.mesh_data import QUALITY, MeshData
+from advlayers.mesh_data import MeshData
 from advlayers.meshing import Run
 
 _POLL = 20  # [ms] between two looks at the worker
@@ -151,8 +151,7 @@ class MeshTask:
     def _finish(self, mesh, check) -> Outcome:
         data = mesh_data.of_core(self._task.label, mesh)
         check()
-        data.field(QUALITY)  # takes a while for a large mesh: better here than in the window
-        check()
+        data.prepare(check)  # better here than in the window
         return Outcome(self._task, mesh, self._task.make_fem_mesh(mesh, check), data)
 
     def _look(self) -> None:
