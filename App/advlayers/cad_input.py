@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from typing import Any, Optional
 
+from advlayers import faceted
 from advlayers.errors import InputError
 
 # Read by the core alone; FreeCAD's own reader is used where FreeCAD is the host, so that faces
@@ -49,7 +50,7 @@ def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: f
             return Cad(core.read_file(path, sew_tolerance))
         if ending == ".fcstd":
             return _read_document(core, path, wanted, sew_tolerance)
-        shape = _read_mesh_as_shape(path) if ending == ".stl" else _read_shape(path)
+        shape = faceted.shape_of_file(path) if ending == ".stl" else _read_shape(path)
     except (RuntimeError, ValueError, OSError) as error:
         if isinstance(error, InputError):
             raise
@@ -80,22 +81,6 @@ def _read_shape(path: str):
     import Part
 
     return Part.read(path)
-
-
-def _read_mesh_as_shape(path: str):
-    import Mesh
-    import Part
-
-    mesh = Mesh.Mesh(path)
-    if mesh.CountFacets == 0:
-        raise RuntimeError("no triangle in it")
-    mesh.removeDuplicatedPoints()
-    mesh.removeDuplicatedFacets()
-    mesh.fixDegenerations(0.0)
-    shape = Part.Shape()
-    # Points of neighbouring triangles are equal in an STL file up to its single precision.
-    shape.makeShapeFromMesh(mesh.Topology, 1e-6 * max(mesh.BoundBox.DiagonalLength, 1e-3))
-    return shape
 
 
 def _read_document(core, path: str, wanted: Optional[str], sew_tolerance: float) -> Cad:

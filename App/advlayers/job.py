@@ -7,13 +7,10 @@ import sys
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
 
-from advlayers import cad_input, export
+from advlayers import cad_input, export, faceted
 from advlayers.errors import InputError
 from advlayers.settings_check import check_all
 from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS
-
-# Every facet of an STL file becomes a planar face: as patches of their own they make no sense.
-FACETED_FEATURE_ANGLE = 20.0  # [deg]
 
 
 @dataclass(frozen=True)
@@ -34,7 +31,7 @@ def read_job(path: str) -> Job:
     """
     given = _read_json(path)
     if str(given.get("input", "")).lower().endswith(".stl"):
-        given.setdefault("feature_angle", FACETED_FEATURE_ANGLE)
+        given.setdefault("feature_angle", faceted.FEATURE_ANGLE)
     values = check_all(given, JOB_SETTINGS + MESH_SETTINGS)
     folder = os.path.dirname(os.path.abspath(path))
     job = Job(

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from advlayers import (
-    analysis, cad_input, controls, fem_mesh, freshness, mesh_data, mesh_history, migrations)
+    analysis, cad_input, controls, faceted, fem_mesh, freshness, mesh_data, mesh_history,
+    migrations)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError, Stopped
 from advlayers.mesh_data import MeshData
@@ -109,12 +110,16 @@ def is_layer_mesh(document_object) -> bool:
 
 
 def create(source, **settings):
-    """Adds a mesh object for `source` to its document, without meshing yet.
+    """Adds a mesh object for `source` to its document, without meshing yet. Of one of FreeCAD's
+    Mesh objects a shape is made and added first.
 
     Raises InputError.
     """
     if getattr(source, "Document", None) is None:
         raise InputError("", f"a document object is needed to mesh, got {source!r}")
+    if faceted.is_mesh(source):
+        settings.setdefault("feature_angle", faceted.FEATURE_ANGLE)
+        source = _shape_of_mesh(source)
     shape = cad_input.global_shape(source)
     if shape.isNull() or not shape.Faces:
         raise InputError("", f"{source.Label} has no face to mesh")
@@ -132,6 +137,13 @@ def create(source, **settings):
     refresh_state(created)
     attach_view(created)
     return created
+
+
+def _shape_of_mesh(mesh_object):
+    try:
+        return faceted.add_shape(mesh_object)
+    except RuntimeError as error:
+        raise InputError("", f"{mesh_object.Label} has no face to mesh: {error}") from error
 
 
 @dataclass(frozen=True)

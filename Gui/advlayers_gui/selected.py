@@ -6,7 +6,7 @@ from typing import Any, List, Optional, Tuple
 import FreeCAD
 import FreeCADGui
 
-from advlayers import controls, layer_mesh
+from advlayers import controls, faceted, layer_mesh
 from advlayers.picked_names import names_on
 
 Pick = Tuple[Any, Tuple[str, ...]]
@@ -34,8 +34,10 @@ def all_layer_meshes() -> List[Any]:
 
 def source() -> Optional[Tuple[Any, List[str]]]:
     """The first selected object that has a shape, and its selected faces; of a body's last feature
-    the body, which stays when further features come."""
+    the body, which stays when further features come. A Mesh object counts as well."""
     for entry in FreeCADGui.Selection.getSelectionEx():
+        if faceted.is_mesh(entry.Object):
+            return entry.Object, []
         if _has_shape(entry.Object):
             faces = [name for name in entry.SubElementNames if name.startswith("Face")]
             body = entry.Object.getParentGeoFeatureGroup()

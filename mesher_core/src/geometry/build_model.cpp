@@ -129,6 +129,10 @@ Face build_face(const Model::Shape& shape, FaceId id, const std::vector<Edge>& e
   return face;
 }
 
+bool is_triangle(const Face& face) {
+  return face.kind == SurfaceKind::kPlane && face.loops.size() == 1 && face.loops[0].size() == 3;
+}
+
 // From points on the edges and on curved faces: BRepBndLib takes the poles of B-splines for the
 // shape, or, when asked to be exact, as long as reading the file.
 double box_diagonal(Evaluator& evaluator) {
@@ -226,6 +230,7 @@ Model build_model(std::unique_ptr<Model::Shape> shape) {
         }
       }
     }
+    model.triangular_ = std::all_of(model.faces_.begin(), model.faces_.end(), is_triangle);
     model.shape_ = std::move(shape);
     Evaluator evaluator(model);
     model.diagonal_ = box_diagonal(evaluator);

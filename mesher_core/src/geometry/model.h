@@ -66,6 +66,9 @@ class Model {
   const Edge& edge(EdgeId e) const { return edges_[e.index()]; }
   const Vertex& vertex(VertexId v) const { return vertices_[v.index()]; }
   double diagonal() const { return diagonal_; }  // of the bounding box [mm]
+  bool triangular() const {
+    return triangular_;
+  }                     // all faces are planar triangles, as of an STL file
   bool closed() const;  // every edge of a face is used by exactly two face sides
 
   // What the given shape's edge is in the model: itself, but where the shape was sewn. Edges that
@@ -94,6 +97,7 @@ class Model {
   std::vector<Edge> edges_;
   std::vector<Vertex> vertices_;
   double diagonal_ = 0.0;
+  bool triangular_ = false;
 };
 
 std::string face_name(FaceId f);  // "Face3"

@@ -52,6 +52,19 @@ void PatchSurface::find_crossings(const FeatureRule& rule) {
       }
     }
   }
+  std::stable_sort(crossings_.begin(), crossings_.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.from < b.from; });
+}
+
+std::pair<const PatchSurface::Crossing*, const PatchSurface::Crossing*>
+PatchSurface::crossings_from(FaceId face) const {
+  const Crossing* begin = crossings_.data();
+  const Crossing* end = begin + crossings_.size();
+  const Crossing* first = std::lower_bound(
+      begin, end, face, [](const Crossing& crossing, FaceId f) { return crossing.from < f; });
+  const Crossing* last = first;
+  while (last != end && last->from == face) ++last;
+  return {first, last};
 }
 
 // Distance to the edge, and the parameter there: from the samples, then by Gauss-Newton.
@@ -81,7 +94,7 @@ double PatchSurface::nearest(const Crossing& crossing, const Vec3& xyz, double& 
 // `smooth` holds the edges that were decided by hand: these are no facets' edges.
 bool PatchSurface::has_facets(const std::vector<EdgeId>& smooth) const {
   constexpr double kCoplanar = 1e-3;  // [rad]
-  bool leaning = false;
+  bool leaning = faces_.size() > 1 && model().triangular();
   for (const FaceId face : faces_) {
     if (model().face(face).kind != SurfaceKind::kPlane) return false;
   }
@@ -102,8 +115,10 @@ std::vector<EdgeId> PatchSurface::inner_edges() const {
 
 bool PatchSurface::nearest_between(FaceId a, FaceId b, const Vec3& xyz, InnerPoint& found) {
   double best = std::numeric_limits<double>::infinity();
-  for (const Crossing& crossing : crossings_) {
-    if (crossing.from != a || crossing.onto != b) continue;
+  const auto [first, last] = crossings_from(a);
+  for (const Crossing* it = first; it != last; ++it) {
+    const Crossing& crossing = *it;
+    if (crossing.onto != b) continue;
     double t = 0.0;
     const double distance = nearest(crossing, xyz, t);
     if (distance >= best) continue;
@@ -132,10 +147,12 @@ bool PatchSurface::project(const Vec3& xyz, const SurfacePoint& seed, SurfacePoi
   SurfacePoint best;
   double best_distance = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < met.size() && !best.face.valid(); ++k) {
-    for (const Crossing& crossing : crossings_) {
+    const auto [first, last] = crossings_from(met[k]);
+    for (const Crossing* it = first; it != last; ++it) {
+      const Crossing& crossing = *it;
       double t = 0.0;
       const bool fresh = std::find(met.begin(), met.end(), crossing.onto) == met.end();
-      if (crossing.from != met[k] || !fresh || nearest(crossing, xyz, t) > reach) continue;
+      if (!fresh || nearest(crossing, xyz, t) > reach) continue;
       met.push_back(crossing.onto);
       SurfacePoint other;
       if (!cross(crossing, xyz, t, other)) continue;
@@ -190,14 +207,15 @@ const PatchSurface::Crossing* PatchSurface::crossing_at(const SurfacePoint& p, d
                                                         EdgeId not_over, double& t) {
   const Crossing* found = nullptr;
   double best = reach;
-  for (const Crossing& crossing : crossings_) {
-    if (crossing.from != p.face || crossing.coedge.edge == not_over) continue;
+  const auto [first, last] = crossings_from(p.face);
+  for (const Crossing* crossing = first; crossing != last; ++crossing) {
+    if (crossing->coedge.edge == not_over) continue;
     double t_near = 0.0;
-    const double distance = nearest(crossing, p.xyz, t_near);
+    const double distance = nearest(*crossing, p.xyz, t_near);
     if (distance >= best) continue;
     best = distance;
     t = t_near;
-    found = &crossing;
+    found = crossing;
   }
   return found;
 }

@@ -3,6 +3,7 @@
 // over any other edge it stays on the face's own surface, which is not trimmed.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "geometry/evaluator.h"
@@ -17,8 +18,8 @@ class PatchSurface {
   const std::vector<FaceId>& faces() const { return faces_; }
   const Model& model() const { return evaluator_->model(); }
   bool has_inner_edges() const { return !crossings_.empty(); }
-  // True where all faces are planes that lean against each other, by no more than the rule's angle:
-  // facets of one surface, whose edges mean nothing.
+  // True where all faces are planes that lean against each other, by no more than the rule's angle,
+  // or facets of a model of triangles: facets of one surface, whose edges mean nothing.
   bool faceted() const { return faceted_; }
   // The edges between two faces of the patch over which it continues, each once, sorted.
   std::vector<EdgeId> inner_edges() const;
@@ -56,6 +57,8 @@ class PatchSurface {
   };
   void find_crossings(const FeatureRule& rule);
   bool has_facets(const std::vector<EdgeId>& smooth) const;
+  // The crossings that leave a face lie side by side.
+  std::pair<const Crossing*, const Crossing*> crossings_from(FaceId face) const;
   double nearest(const Crossing& crossing, const Vec3& xyz, double& t);
   bool cross(const Crossing& crossing, const Vec3& xyz, double t, SurfacePoint& foot);
   bool lands_inside(const SurfacePoint& from, double length, Vec3& heading, SurfacePoint& to);

@@ -12,7 +12,6 @@ namespace advlayers {
 namespace {
 
 constexpr double kNoCutAt = 0.002;  // of the chord from its ends
-constexpr std::size_t kMostCorners = 9;
 
 class Imprinter {
  public:
@@ -198,7 +197,7 @@ class Imprinter {
       const int layer = mesh_.data(f).layer;
       std::vector<std::vector<VertexH>> pieces{corners};
       const bool whole = corners.size() == static_cast<std::size_t>(mesh_.degree(f));
-      if (!(whole && sides_.common(corners).valid()) && corners.size() <= kMostCorners) {
+      if (!(whole && sides_.common(corners).valid())) {
         PolygonPieces cut = cut_polygon(mesh_, sides_, corners, layer == 0);
         if (!cut.parted && part_at_vertex(corners, layer == 0, cut)) cut.parted = true;
         unparted += cut.parted ? 0 : 1;

@@ -12,6 +12,7 @@ using Corners = std::vector<VertexH>;
 
 constexpr double kLeastQuality = 0.03;  // of a quad: corners of 14 to 166 degrees
 constexpr double kUnparted = -10.0;     // what a piece over two faces costs
+constexpr std::size_t kMostTried = 9;   // corners: the ways to cut grow by a factor of three each
 
 class Cutter {
  public:
@@ -19,6 +20,7 @@ class Cutter {
       : mesh_(mesh), sides_(sides), triangles_(triangles) {}
 
   PolygonPieces cut(const Corners& corners) const {
+    if (corners.size() > kMostTried) return halve(corners);
     const bool parted = sides_.common(corners).valid();
     PolygonPieces whole = as_it_is(corners, parted);
     if (parted && (corners.size() == 3 || whole.quality >= kLeastQuality)) return whole;
@@ -78,6 +80,22 @@ class Cutter {
     a.polygons.insert(a.polygons.end(), std::make_move_iterator(b.polygons.begin()),
                       std::make_move_iterator(b.polygons.end()));
     return a;
+  }
+
+  // Along the edge of the model that leaves halves of most equal size.
+  PolygonPieces halve(const Corners& c) const {
+    std::size_t best = 0, from = 0, to = 0;
+    for (std::size_t i = 0; i + 2 < c.size(); ++i) {
+      for (std::size_t j = i + 2; j < c.size(); ++j) {
+        const std::size_t smaller = std::min(j - i, c.size() - (j - i));
+        if (smaller < 2 || smaller <= best || !on_edge(c[i], c[j])) continue;
+        best = smaller;
+        from = i;
+        to = j;
+      }
+    }
+    if (best == 0) return fan(c);
+    return join(cut(between(c, from, to)), cut(around(c, from, to)));
   }
 
   // What cannot be parted is cut all the same.

@@ -15,7 +15,8 @@ struct PolygonPieces {
   bool parted = true;                          // false: a piece reaches over an edge of the model
 };
 
-// `corners` counter-clockwise, three to nine. With `triangles` no quad is made.
+// `corners` counter-clockwise, three or more; up to nine are cut as well as they can be. With
+// `triangles` no quad is made.
 PolygonPieces cut_polygon(const SurfaceMesh& mesh, const FaceSides& sides,
                           const std::vector<VertexH>& corners, bool triangles);
 

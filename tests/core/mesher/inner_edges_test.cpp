@@ -3,12 +3,16 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepTools.hxx>
+#include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -226,6 +230,57 @@ TEST(EdgesByHand, LayersFanOutAboutTheEndOfASlit) {
   for (const WallReport& wall : mesh.walls) {
     EXPECT_NEAR(wall.achieved_max, settings.first_height, 0.02 * settings.first_height);
   }
+}
+
+// An element lies over dozens of faces, and is cut along all the edges between them.
+TEST(InnerEdges, FacesFarThinnerThanTheElementsPartThem) {
+  constexpr int kStrips = 60;
+  BRepBuilderAPI_MakeWire wire;
+  for (int k = 0; k < kStrips; ++k) {
+    wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0.2 * k, 0, 0), gp_Pnt(0.2 * (k + 1), 0, 0)).Edge());
+  }
+  const Model model = model_of(BRepPrimAPI_MakePrism(wire.Wire(), gp_Vec(0, 12, 0)).Shape());
+  Settings settings = settings_of(4.0);
+  for (std::size_t e = 0; e < model.edges().size(); ++e) {
+    if (model.edges()[e].faces.size() == 1) settings.off_edges.emplace_back(e);
+  }
+  const MeshResult mesh = mesh_of(model, settings);
+  ASSERT_EQ(mesh.patches.size(), 1u);
+  for (const Diagnostic& diagnostic : mesh.diagnostics) {
+    EXPECT_NE(diagnostic.severity, Severity::kError) << diagnostic.text;
+  }
+  const double elements = static_cast<double>(mesh.quads.size() + mesh.triangles.size());
+  const double edges = static_cast<double>(uses_of_edges(mesh).size());
+  EXPECT_DOUBLE_EQ(static_cast<double>(mesh.nodes.size()) - edges + elements, 1.0);
+}
+
+// Two triangles of each side of a box, as an STL file has them: the line between them is no edge.
+TEST(InnerEdges, FacetsOfOnePlaneLeaveNoTrace) {
+  BRep_Builder builder;
+  TopoDS_Compound facets;
+  builder.MakeCompound(facets);
+  for (TopExp_Explorer it(BRepPrimAPI_MakeBox(10, 8, 6).Shape(), TopAbs_FACE); it.More();
+       it.Next()) {
+    std::vector<gp_Pnt> corners;
+    for (BRepTools_WireExplorer wire(BRepTools::OuterWire(TopoDS::Face(it.Current()))); wire.More();
+         wire.Next()) {
+      corners.push_back(BRep_Tool::Pnt(wire.CurrentVertex()));
+    }
+    for (const std::size_t k : {1u, 2u}) {
+      BRepBuilderAPI_MakePolygon outline(corners[0], corners[k], corners[k + 1], true);
+      builder.Add(facets, BRepBuilderAPI_MakeFace(outline.Wire()).Face());
+    }
+  }
+  const Model model = read_brep(brep_text(facets), 1e-6);
+  ASSERT_EQ(model.faces().size(), 12u);
+  EXPECT_TRUE(model.triangular());
+  const Model box = model_of(BRepPrimAPI_MakeBox(10, 8, 6).Shape());
+  const MeshResult mesh = mesh_of(model, settings_of(0.8)), whole = mesh_of(box, settings_of(0.8));
+  EXPECT_EQ(mesh.patches.size(), 6u);
+  EXPECT_EQ(mesh.figures.inverted, 0);
+  EXPECT_NEAR(mesh.figures.quad_percent, whole.figures.quad_percent, 1.0);
+  EXPECT_GE(mesh.figures.min_angle, 0.9 * whole.figures.min_angle);
+  expect_watertight(mesh);
 }
 
 TEST(InnerEdges, FilletedBoxIsOnePatchOnWholeFaces) {

@@ -41,6 +41,26 @@ def test_loose_faces_are_sewn_under_the_names_that_they_have(box):
     assert layers == 2 * (len(kinds["rim"][1]) - 1)
 
 
+def test_a_mesh_object_is_meshed_as_a_shape_of_its_facets(box):
+    import MeshPart
+
+    rod = box.Document.addObject("Part::Cylinder", "Rod")
+    box.Document.recompute()
+    facets = box.Document.addObject("Mesh::Feature", "Facets")
+    facets.Mesh = MeshPart.meshFromShape(Shape=box.Shape.fuse(rod.Shape), LinearDeflection=0.05,
+                                         AngularDeflection=0.3)
+    facets.Placement.Base = FreeCAD.Vector(100, 0, 0)
+    made = advlayers.make_layer_mesh(facets, size=3, first_height=0.3, layers=2)
+    assert made.Part.TypeId == "Part::Feature" and made.FeatureAngle.Value == 20
+    assert made.InvertedCount == 0
+    assert not [text for text in made.Messages if text.startswith("error")]
+    # It lies where the Mesh object does.
+    bounds = facets.Mesh.BoundBox
+    points = np.array([tuple(node) for node in made.FemMesh.Nodes.values()])
+    assert np.allclose(points.min(axis=0), (bounds.XMin, bounds.YMin, bounds.ZMin), atol=0.1)
+    assert np.allclose(points.max(axis=0), (bounds.XMax, bounds.YMax, bounds.ZMax), atol=0.1)
+
+
 def test_units(box):
     inch = layer_mesh.create(box, size="1 in", first_height=FreeCAD.Units.Quantity("1 mm"),
                              feature_angle="0.5 rad")

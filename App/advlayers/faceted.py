@@ -1,0 +1,41 @@
+"""Triangulated surfaces (STL files, FreeCAD's Mesh objects) as shapes of planar faces."""
+from __future__ import annotations
+
+# Every facet becomes a planar face: as patches of their own they make no sense.
+FEATURE_ANGLE = 20.0  # [deg]
+# Of the diagonal: points of neighbouring triangles are equal in an STL file up to its precision.
+_SAME_POINT = 1e-6
+
+
+def is_mesh(document_object) -> bool:
+    return document_object.isDerivedFrom("Mesh::Feature")
+
+
+def shape_of_file(path: str):
+    """Raises RuntimeError where the file holds no triangle, OSError and the like of FreeCAD."""
+    import Mesh
+
+    return _shape_of(Mesh.Mesh(path))
+
+
+def add_shape(mesh_object):
+    """Adds the mesh object's surface to its document, as a shape in the place of it."""
+    document = mesh_object.Document
+    made = document.addObject("Part::Feature", f"{mesh_object.Name}Shape")
+    made.Label = f"{mesh_object.Label} shape"
+    made.Shape = _shape_of(mesh_object.Mesh.copy())
+    mesh_object.Visibility = False
+    return made
+
+
+def _shape_of(mesh):
+    import Part
+
+    if mesh.CountFacets == 0:
+        raise RuntimeError("no triangle in it")
+    mesh.removeDuplicatedPoints()
+    mesh.removeDuplicatedFacets()
+    mesh.fixDegenerations(0.0)
+    shape = Part.Shape()
+    shape.makeShapeFromMesh(mesh.Topology, _SAME_POINT * max(mesh.BoundBox.DiagonalLength, 1e-3))
+    return shape
