@@ -6,7 +6,6 @@ name are part of saved files.
 """
 from __future__ import annotations
 
-import contextlib
 import json
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -16,12 +15,12 @@ from advlayers import (
     analysis, cad_input, controls, faceted, fem_mesh, freshness, mesh_data, mesh_history,
     migrations)
 from advlayers.core_access import load_core
-from advlayers.errors import InputError, Stopped
+from advlayers.errors import InputError
 from advlayers.mesh_data import MeshData
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import (
     HIDDEN, READ_ONLY, add_setting, from_property, plain_values, property_name, to_property)
-from advlayers.proxy import Stateless, attach_view, shown_progress
+from advlayers.proxy import Stateless, attach_view
 from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS, Setting
@@ -93,9 +92,8 @@ class LayerMesh(Stateless):
     def execute(self, document_object) -> None:
         refresh_state(document_object)
         if document_object.AutoUpdate and document_object.State in (NOT_MESHED, OUT_OF_DATE):
-            # A stopped one stays out of date, until the next recompute.
-            with contextlib.suppress(Stopped), shown_progress(document_object.Label):
-                update(document_object)
+            # Silently: FreeCAD may crash where a window lives on during a recompute.
+            update(document_object, watch=lambda _reports: None)
 
     def onDocumentRestored(self, document_object) -> None:
         add_properties(document_object)

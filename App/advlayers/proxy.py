@@ -1,8 +1,6 @@
 """What every Python object behind a FreeCAD object has in common."""
 from __future__ import annotations
 
-import contextlib
-
 import FreeCAD
 
 
@@ -32,13 +30,3 @@ def attach_view(document_object) -> None:
         from advlayers_gui import view_provider
 
         view_provider.attach_to(document_object)
-
-
-def shown_progress(label: str):
-    """For a `with` in which meshes are made: where there is a window, it shows how that goes on and
-    raises Stopped where the user stops it."""
-    if not FreeCAD.GuiUp:
-        return contextlib.nullcontext()
-    from advlayers_gui import progress_window
-
-    return progress_window.shown_progress(label)
