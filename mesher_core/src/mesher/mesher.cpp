@@ -20,6 +20,7 @@
 #include "mesher/patch_job.h"
 #include "mesher/patch_plan.h"
 #include "mesher/sewn_edges.h"
+#include "mesher/tight_faces.h"
 
 namespace advlayers {
 namespace {
@@ -64,6 +65,8 @@ struct Mesher::Impl {
   void report_idle_walls(std::vector<Diagnostic>& diagnostics) const;
   void report_sewing(std::vector<Diagnostic>& diagnostics) const;
   void finish_jobs();
+  bool part_faces(const std::vector<FaceId>& faces, const std::string& reason);
+  void part_tight_faces();
   bool part_strained_faces();
   MeshResult finish();
   template <class Body>
@@ -92,6 +95,7 @@ Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
       arena(arena_size(the_settings.threads)) {
   check(settings, model);
   make_jobs();
+  part_tight_faces();
 }
 
 void Mesher::Impl::make_jobs() {
@@ -233,40 +237,60 @@ void Mesher::Impl::finish_jobs() {
   for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
 }
 
-// Faces that the mesh of their patch could not follow (a fillet far smaller than the elements, a
-// face that no element found room on) become patches of their own, and all is meshed anew. Edges
-// that the user called smooth stay so. Returns false where there is none to part.
-bool Mesher::Impl::part_strained_faces() {
+// Makes the faces patches of their own, for another start. Edges that the user called smooth stay
+// inside their patches. Returns false where nothing is left to part.
+bool Mesher::Impl::part_faces(const std::vector<FaceId>& faces, const std::string& reason) {
   const FeatureRule rule = feature_rule(settings);
+  const auto listed = [](const std::vector<EdgeId>& edges, EdgeId edge) {
+    return std::binary_search(edges.begin(), edges.end(), edge);
+  };
   std::set<EdgeId> edges;
   std::string names;
-  for (const auto& job : jobs) {
-    for (const FaceId face : job->strained_faces()) {
-      const std::size_t known = edges.size();
-      for (const auto& loop : model.face(face).loops) {
-        for (const CoEdge& coedge : loop) {
-          const bool seam = model.edge(coedge.edge).faces.size() < 2;
-          const bool smooth =
-              std::binary_search(rule.smooth.begin(), rule.smooth.end(), coedge.edge);
-          if (!seam && !smooth) edges.insert(coedge.edge);
-        }
+  for (const FaceId face : faces) {
+    const std::size_t known = edges.size();
+    for (const auto& loop : model.face(face).loops) {
+      for (const CoEdge& coedge : loop) {
+        const EdgeId edge = coedge.edge;
+        const bool seam = model.edge(edge).faces.size() < 2;
+        if (!seam && !listed(rule.smooth, edge) && !listed(rule.boundary, edge)) edges.insert(edge);
       }
-      if (edges.size() > known) names += (names.empty() ? "" : ", ") + face_name(face);
     }
+    if (edges.size() > known) names += (names.empty() ? "" : ", ") + face_name(face);
   }
-  for (const EdgeId edge : rule.boundary) edges.erase(edge);
   if (edges.empty()) return false;
   settings.boundary_edges.insert(settings.boundary_edges.end(), edges.begin(), edges.end());
   Diagnostic note;
   note.severity = Severity::kInfo;
   note.code = "patch-parted";
-  note.text =
-      "meshed on their own, as the elements of their patches could not follow them: " + names;
+  note.text = "meshed on their own, as " + reason + ": " + names;
   partings.push_back(std::move(note));
   make_jobs();
   started = false;
   growing = true;
   return true;
+}
+
+void Mesher::Impl::part_tight_faces() {
+  std::set<FaceId> in_company;
+  for (const auto& job : jobs) {
+    if (job->faces().size() > 1) in_company.insert(job->faces().begin(), job->faces().end());
+  }
+  if (in_company.empty()) return;
+  Evaluator evaluator(model);
+  std::vector<FaceId> tight;
+  for (const FaceId face : tight_faces(evaluator, settings)) {
+    if (in_company.count(face) > 0) tight.push_back(face);
+  }
+  part_faces(tight, "they are curved more tightly than layers of this size can follow");
+}
+
+// Faces that the mesh of their patch could not follow: elements reach over them, or found no room.
+bool Mesher::Impl::part_strained_faces() {
+  std::vector<FaceId> strained;
+  for (const auto& job : jobs) {
+    strained.insert(strained.end(), job->strained_faces().begin(), job->strained_faces().end());
+  }
+  return part_faces(strained, "the elements of their patches could not follow them");
 }
 
 MeshResult Mesher::Impl::finish() {

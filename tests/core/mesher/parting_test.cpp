@@ -93,5 +93,21 @@ TEST(NarrowFillet, TurnsNoTriangleOver) {
   }
 }
 
+// Layers of this size cannot run across it: it is as if every face were a patch of its own.
+TEST(NarrowFillet, IsNoSmoothSurfaceForElementsFarLarger) {
+  const Model model = filleted_cylinder(2.6, 4, 0.02);
+  Settings settings;
+  settings.size = 0.6;
+  settings.first_height = 0.05;
+  settings.growth = 1.1;
+  const MeshResult apart = mesh_of(model, settings);
+  settings.feature_angle = 20.0;
+  const MeshResult mesh = mesh_of(model, settings);
+  EXPECT_TRUE(tells(mesh, "patch-parted"));
+  EXPECT_FALSE(tells(apart, "patch-parted"));
+  EXPECT_EQ(mesh.figures.nodes, apart.figures.nodes);
+  EXPECT_EQ(mesh.figures.quad_percent, apart.figures.quad_percent);
+}
+
 }  // namespace
 }  // namespace advlayers::test
