@@ -50,7 +50,7 @@ def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: f
             return Cad(core.read_file(path, sew_tolerance))
         if ending == ".fcstd":
             return _read_document(core, path, wanted, sew_tolerance)
-        shape = faceted.shape_of_file(path) if ending == ".stl" else _read_shape(path)
+        shape = faceted.shape_of_file(path) if ending == ".stl" else _read_shape(core, path)
     except (RuntimeError, ValueError, OSError) as error:
         if isinstance(error, InputError):
             raise
@@ -77,9 +77,10 @@ def _model(core, shape, path: str, sew_tolerance: float):
         raise InputError("input", f"cannot be used: {_one_line(error)}: {path}") from error
 
 
-def _read_shape(path: str):
+def _read_shape(core, path: str):
     import Part
 
+    core.check_file(path)
     return Part.read(path)
 
 

@@ -32,6 +32,12 @@ std::shared_ptr<Model> model_of_file(const py::object& path, const py::object& s
   return std::make_shared<Model>(read_file(name, tolerance));
 }
 
+void check_file_at(const py::object& path) {
+  const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const py::gil_scoped_release release;
+  check_file(name);
+}
+
 std::string describe(const Model& model) {
   return "<Model: " + std::to_string(model.faces().size()) + " faces, " +
          std::to_string(model.given_edges()) + " edges, " +
@@ -57,6 +63,10 @@ void bind_model(py::module_& module) {
       "Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges\n"
       "lie within sew_tolerance [mm] of each other are joined there; 0: none are.\n\n"
       "Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.");
+  module.def("check_file", &check_file_at, py::arg("path"),
+             "Raises InvalidInput where OpenCASCADE's reader crashes on an IGES file, as it does\n"
+             "on some damaged ones. read_file() asks by itself; ask before another program's\n"
+             "reader is let at a file that nobody vouches for.");
   module.def("read_file", &model_of_file, py::arg("path"), py::arg("sew_tolerance") = 0.0,
              "Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as\n"
              "read_brep() does.\n\n"

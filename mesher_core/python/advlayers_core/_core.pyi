@@ -40,6 +40,12 @@ def read_brep(text: str, sew_tolerance: float = ...) -> Model:
     Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.
     """
 
+def check_file(path: Union[str, "os.PathLike[str]"]) -> None:
+    """Raises InvalidInput where OpenCASCADE's reader crashes on an IGES file, as it does on some
+    damaged ones. read_file() asks by itself; ask before another program's reader is let at a file
+    that nobody vouches for.
+    """
+
 def read_file(path: Union[str, "os.PathLike[str]"], sew_tolerance: float = ...) -> Model:
     """Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as
     read_brep() does.

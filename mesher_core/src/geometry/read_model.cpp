@@ -21,6 +21,7 @@
 #include <sstream>
 
 #include "geometry/brep_text.h"
+#include "geometry/child_process.h"
 #include "geometry/occt_shape.h"
 #include "geometry/sew_shape.h"
 
@@ -86,10 +87,10 @@ TopoDS_Shape parse_brep(const std::string& text) {
   return shape;
 }
 
-// Runs the reader; `check` looks at what was loaded before it is turned into a shape.
+// Runs the reader, the reader's mutex held; `check` looks at what was loaded before it is turned
+// into a shape.
 template <class Reader, class Check>
 TopoDS_Shape transfer(Reader& reader, const std::string& path, Check&& check) {
-  const std::lock_guard<std::mutex> lock(reader_mutex());
   const QuietMessenger quiet;
   const Millimetres millimetres;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) return {};
@@ -118,10 +119,18 @@ void refuse_damaged_geometry(STEPControl_Reader& reader, const std::string& path
 }
 
 TopoDS_Shape read_step(const std::string& path) {
+  const std::lock_guard<std::mutex> lock(reader_mutex());
   STEPControl_Controller::Init();
   STEPControl_Reader reader;
   return transfer(reader, path,
                   [&](STEPControl_Reader& loaded) { refuse_damaged_geometry(loaded, path); });
+}
+
+TopoDS_Shape transfer_iges(const std::string& path) {
+  IGESControl_Controller::Init();
+  IGESControl_Reader reader;
+  reader.SetReadVisible(Standard_True);  // construction geometry stays out, as in FreeCAD
+  return transfer(reader, path, [](IGESControl_Reader&) {});
 }
 
 // The last line of a file of fixed-length records counts the records of each section, by the letter
@@ -147,10 +156,9 @@ void refuse_cut_off_iges(const std::string& text, const std::string& path) {
 
 TopoDS_Shape read_iges(const std::string& path, const std::string& text) {
   refuse_cut_off_iges(text, path);
-  IGESControl_Controller::Init();
-  IGESControl_Reader reader;
-  reader.SetReadVisible(Standard_True);  // construction geometry stays out, as in FreeCAD
-  return transfer(reader, path, [](IGESControl_Reader&) {});
+  check_file(path);
+  const std::lock_guard<std::mutex> lock(reader_mutex());
+  return transfer_iges(path);
 }
 
 // A translator that fails leaves no shape: the file's fault, not that of a shape in it.
@@ -184,6 +192,16 @@ Model read_brep(const std::string& text, double sew_tolerance) {
   const TopoDS_Shape root = parse_brep(text);
   if (root.IsNull()) throw InvalidInput("the text is no BREP shape");
   return model_of(root, sew_tolerance);
+}
+
+void check_file(const std::string& path) {
+  const std::string ending = ending_of(path);
+  if (ending != "iges" && ending != "igs") return;
+  // Held here, as the copy would wait for ever for a thread that it has not.
+  const std::lock_guard<std::mutex> lock(reader_mutex());
+  if (!survives([&] { transfer_iges(path); })) {
+    throw InvalidInput(path + ": the IGES file is damaged: OpenCASCADE's reader crashes on it");
+  }
 }
 
 Model read_file(const std::string& path, double sew_tolerance) {
