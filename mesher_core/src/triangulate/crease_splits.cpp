@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -28,8 +29,8 @@ class CreaseSplitter {
       : sheet_(sheet), cancel_(cancel) {}
 
   void run() {
-    std::vector<int> pending;
-    for (int t = 0; t < mesh().triangle_count(); ++t) pending.push_back(t);
+    std::vector<int> pending(mesh().triangles().size());
+    std::iota(pending.begin(), pending.end(), 0);
     std::size_t budget = kMostSplits * pending.size();
     while (!pending.empty() && budget > 0) {
       cancel_.check();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 #include "base/predicates.h"
@@ -94,8 +95,8 @@ bool spans_too_much(LiftedTriangulation& sheet, Side s) {
 // Halves such edges. The work is bounded by the halvings that the smallest split allows; each edge
 // is looked at again only after it changed.
 void split_wide_edges(LiftedTriangulation& sheet, const CancelFlag& cancel) {
-  std::vector<int> pending;
-  for (int t = 0; t < sheet.mesh().triangle_count(); ++t) pending.push_back(t);
+  std::vector<int> pending(sheet.mesh().triangles().size());
+  std::iota(pending.begin(), pending.end(), 0);
   while (!pending.empty()) {
     cancel.check();
     const int t = pending.back();
@@ -342,8 +343,8 @@ Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
 }
 
 void refine_deviating(LiftedTriangulation& sheet, const CancelFlag& cancel) {
-  std::vector<int> pending;
-  for (int t = 0; t < sheet.mesh().triangle_count(); ++t) pending.push_back(t);
+  std::vector<int> pending(sheet.mesh().triangles().size());
+  std::iota(pending.begin(), pending.end(), 0);
   const int limit = sheet.mesh().point_count() + kMostDivisions * sheet.mesh().triangle_count();
   while (!pending.empty() && sheet.mesh().point_count() < limit) {
     cancel.check();

@@ -203,8 +203,10 @@ class Gluer {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
         cancel_.check();
         if (vanishes(s, t)) continue;
-        std::vector<VertexH> corners;
-        for (int i = 0; i < 3; ++i) corners.push_back(vertex_of_root_[root(corner(s, t, i))]);
+        std::vector<VertexH> corners(3);
+        for (int i = 0; i < 3; ++i) {
+          corners[static_cast<std::size_t>(i)] = vertex_of_root_[root(corner(s, t, i))];
+        }
         faces.push_back(std::move(corners));
       }
     }

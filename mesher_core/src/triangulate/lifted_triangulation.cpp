@@ -27,7 +27,7 @@ LiftedTriangulation::LiftedTriangulation(FaceSheet sheet, PlanarTriangulation me
     : sheet_(std::move(sheet)),
       mesh_(std::move(mesh)),
       evaluator_(&evaluator),
-      target_(target),
+      target_(std::move(target)),
       versions_(mesh_.triangles().size(), 0) {
   vertices_.resize(mesh_.points().size());
   for (std::size_t i = 0; i < sheet_.points.size(); ++i) {
