@@ -8,7 +8,7 @@ import sys
 
 import vtk
 
-WIDTH = 1600
+WIDTH, SHAPE = 1600, 1.6  # of the picture [pixels], and its width over its height
 CORE = (0.93, 0.93, 0.90)
 FIRST, LAST = (0.16, 0.38, 0.63), (0.80, 0.89, 0.95)  # colours of the first and the last layer
 
@@ -51,8 +51,18 @@ def actor(grid, width):
     return drawn
 
 
-def view(grid, width, box, direction, zoom, focus=None):
-    """A renderer for one part of the picture; `box` is (left, bottom, right, top) in [0, 1]."""
+def half_height(grid, camera, box):
+    """Of a view, so that the whole mesh is in it."""
+    to_view, bounds = camera.GetViewTransformMatrix(), grid.GetBounds()
+    corners = [to_view.MultiplyPoint((x, y, z, 1.0)) for x in bounds[:2] for y in bounds[2:4]
+               for z in bounds[4:]]
+    aspect = (box[2] - box[0]) * SHAPE / (box[3] - box[1])
+    return 1.03 * max(max(abs(y), abs(x) / aspect) for x, y, _z, _w in corners)
+
+
+def view(grid, width, box, direction, focus=None):
+    """A renderer for one part of the picture: the whole mesh, or a tenth of it about `focus`; `box`
+    is (left, bottom, right, top) in [0, 1]."""
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetViewport(*box)
@@ -64,11 +74,7 @@ def view(grid, width, box, direction, zoom, focus=None):
     camera.SetFocalPoint(*centre)
     camera.SetPosition(*(c + d * grid.GetLength() for c, d in zip(centre, direction)))
     camera.SetViewUp(0, 1, 0)
-    renderer.ResetCamera()
-    if focus:
-        camera.SetFocalPoint(*focus)
-        camera.SetPosition(*(c + d * grid.GetLength() for c, d in zip(focus, direction)))
-    camera.Zoom(zoom)
+    camera.SetParallelScale(0.083 * grid.GetLength() if focus else half_height(grid, camera, box))
     renderer.ResetCameraClippingRange()
     return renderer
 
@@ -86,15 +92,15 @@ def views(grid, width):
     """The three parts of the picture."""
     bounds = grid.GetBounds()
     aslant, near = (-0.5, 0.8, 0.5), (0.4, 0.8, 0.45)
-    corner, zoom = [bounds[1], 0.5 * (bounds[2] + bounds[3]), bounds[5]], 0.97
+    corner = [bounds[1], 0.5 * (bounds[2] + bounds[3]), bounds[5]]
     if bounds[5] - bounds[4] < 1e-9 * grid.GetLength():
         aslant = near = (0, 0, 1)
         points = (grid.GetPoint(i) for i in range(grid.GetNumberOfPoints()))
-        corner, zoom = list(min(points)), 1.1
+        corner = list(min(points))
         corner[0] += 0.06 * (bounds[1] - bounds[0])
-    return (view(grid, width, (0, 0, 0.6, 1), aslant, zoom),
-            view(grid, width, (0.6, 0.55, 1, 1), (0, 0, 1), 2.4),
-            view(grid, width, (0.6, 0, 1, 0.55), near, 6.0, corner))
+    return (view(grid, width, (0, 0, 0.6, 1), aslant),
+            view(grid, width, (0.6, 0.55, 1, 1), (0, 0, 1)),
+            view(grid, width, (0.6, 0, 1, 0.55), near, corner))
 
 
 def main(mesh_path, picture_path, width=WIDTH):
@@ -102,7 +108,7 @@ def main(mesh_path, picture_path, width=WIDTH):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(width, width * 5 // 8)
+    window.SetSize(width, round(width / SHAPE))
     for part in views(grid, width):
         window.AddRenderer(part)
     window.Render()
