@@ -1,10 +1,5 @@
 #include "mesher/mesher.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 #include <deque>
@@ -13,6 +8,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/side_by_side.h"
 #include "boundary/discretization.h"
 #include "boundary/halve_edges.h"
 #include "mesher/doubled_edges.h"
@@ -33,12 +29,6 @@ constexpr std::size_t kMostForBetter = 2;
 constexpr int kMostPartings = 3;
 
 using Clock = std::chrono::steady_clock;
-
-// More threads than processors would gain nothing, and TBB complains of them.
-int arena_size(int threads) {
-  const int most = tbb::info::default_concurrency();
-  return threads > 0 ? std::min(threads, most) : most;
-}
 
 // Adds the wall-clock time of its life to one entry of the result's seconds.
 class Stopwatch {
@@ -75,7 +65,7 @@ struct Mesher::Impl {
   const Model& model;
   Settings settings;
   CancelFlag cancel;
-  tbb::task_arena arena;
+  unsigned threads;
   Discretization boundary;
   std::vector<std::unique_ptr<PatchJob>> jobs;
   std::vector<std::size_t> order;  // of starting the jobs: large patches first
@@ -92,7 +82,7 @@ struct Mesher::Impl {
 Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
     : model(the_model),
       settings(in_edges_of(the_model, the_settings)),
-      arena(arena_size(the_settings.threads)) {
+      threads(useful_threads(the_settings.threads)) {
   check(settings, model);
   make_jobs();
   part_tight_faces();
@@ -114,16 +104,9 @@ void Mesher::Impl::make_jobs() {
 // Jobs share nothing that changes, so that neither their order nor the threads show in the result.
 template <class Body>
 void Mesher::Impl::for_each_job(const Body& body) {
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, order.size(), 1),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            cancel.check();
-            body(*jobs[order[i]], order[i]);
-          }
-        },
-        tbb::simple_partitioner());
+  side_by_side(order.size(), threads, [&](std::size_t i) {
+    cancel.check();
+    body(*jobs[order[i]], order[i]);
   });
 }
 
