@@ -122,7 +122,7 @@ void bind_mesher(py::module_& module) {
       "after\n"
       "cancel(); KeyboardInterrupt.")
       .def(py::init<std::shared_ptr<Model>, const Settings&>(), py::arg("model"),
-           py::arg("settings"))
+           py::arg("settings"), py::call_guard<py::gil_scoped_release>())
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next_report)
       .def(

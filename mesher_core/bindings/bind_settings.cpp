@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "bindings.h"
 #include "geometry/model.h"
+#include "initial_mesh_arrays.h"
 #include "setting_lists.h"
 #include "setting_values.h"
 #include "sizing/settings.h"
@@ -72,6 +73,7 @@ const Keyword kKeywords[] = {
     {"smooth",
      [](const py::handle& v, Settings& s) { s.smooth_edges = names<EdgeId>(v, "smooth", "Edge"); }},
     {"faces", set_faces},
+    {"initial_mesh", set_initial_mesh},
     {"threads", [](const py::handle& v, Settings& s) { s.threads = count(v, "threads"); }},
 };
 
@@ -109,7 +111,7 @@ constexpr const char* kDoc =
     "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=0,\n"
     "curvature_angle=20, size_growth=1.4, sizes=[], refinements=[], core=\"quads\", "
     "walls=\"all\",\n"
-    "match=[], off=[], boundary=[], smooth=[], faces=\"all\", threads=0)\n\n"
+    "match=[], off=[], boundary=[], smooth=[], faces=\"all\", initial_mesh=None, threads=0)\n\n"
     "size, first_height in mm; angles in degrees. layers: a number, 0 = until the fronts close, "
     "or\n"
     "\"isotropic\". walls: \"all\", or a list of {\"edges\": [\"Edge3\"], \"faces\": [\"Face1\"],\n"
@@ -117,6 +119,8 @@ constexpr const char* kDoc =
     "\"layers\",\n"
     "\"thickness\"}. sizes: a list of {\"edges\", \"faces\", \"size\", \"segments\", \"cluster\",\n"
     "\"both_ends\"}; refinements: a list of {\"point\": [x, y, z], \"size\", \"radius\"}.\n"
+    "initial_mesh: (points, triangles), arrays (n, 3) [mm] and (m, 3), of the shape: its nodes\n"
+    "inside the faces are where the triangulation starts, its spacing the size where it is finer.\n"
     "threads: 0 = as many as there are.\n\n"
     "Raises InvalidInput naming the setting and its value. Values that depend on the model are\n"
     "checked by Mesher.";

@@ -1,6 +1,6 @@
 """Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees."""
 import os
-from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Union
+from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,7 +61,9 @@ class Settings:
     "turning_angle", "growth", "layers", "thickness"}, of which all but "edges" may be left out.
     sizes: a list of {"edges", "faces", "size", "segments", "cluster", "both_ends"}.
     refinements: a list of {"point": [x, y, z], "size", "radius"}. size_growth: the most that
-    neighbouring edges differ. threads: 0 = as many as there are.
+    neighbouring edges differ. initial_mesh: points (n, 3) [mm] and triangles (m, 3) of an existing
+    mesh of the shape: its nodes inside the faces are where the triangulation starts, its spacing is
+    the size where it is finer. threads: 0 = as many as there are.
 
     Raises InvalidInput naming the setting and its value. What depends on the model is checked
     by Mesher.
@@ -76,7 +78,9 @@ class Settings:
         walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
         match: Iterable[str] = ..., off: Iterable[str] = ...,
         boundary: Iterable[str] = ..., smooth: Iterable[str] = ...,
-        faces: Union[Literal["all"], Iterable[str]] = ..., threads: int = ...,
+        faces: Union[Literal["all"], Iterable[str]] = ...,
+        initial_mesh: Optional[Tuple[NDArray[np.float64], NDArray[np.int32]]] = ...,
+        threads: int = ...,
     ) -> None: ...
     @property
     def size(self) -> float: ...

@@ -80,13 +80,15 @@ double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
   return spacing;
 }
 
-// And by the points of refinement, within the limits alone.
+// And by the points of refinement and an initial mesh, within the limits alone.
 double EdgeSpacing::cell_spacing(const Station& a, const Station& b) const {
   double spacing = turn_spacing(a, b);
   if (!limits_.sizes->refined()) return spacing;
   for (const Vec3& p : {a.xyz, b.xyz}) {
-    const double size = limits_.sizes->near(p, limits_.size);
-    if (size < limits_.size) spacing = std::min(spacing, size);
+    for (const Side& side : *sides_) {
+      const double size = limits_.sizes->near(p, side.face, limits_.size);
+      if (size < limits_.size) spacing = std::min(spacing, size);
+    }
   }
   return spacing;
 }
@@ -95,7 +97,7 @@ void EdgeSpacing::refine(const Station& a, const Station& b, int depth) {
   const Station mid = station(0.5 * (a.t + b.t), 0.0);
   const double left = cell_spacing(a, mid), right = cell_spacing(mid, b);
   const double ds = std::max(mid.s - a.s, b.s - mid.s);
-  // A point of refinement is felt over some sizes: no cell may be wider.
+  // A finer place is felt over some sizes: no cell may be wider.
   const bool coarse =
       ds > kCellPart * std::min({left, right}) || (limits_.sizes->refined() && ds > limits_.size);
   if (depth < kMinDepth || (coarse && depth < kMaxDepth)) {

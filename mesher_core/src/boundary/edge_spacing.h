@@ -13,7 +13,7 @@ namespace advlayers {
 
 struct SpacingLimits {
   double size;             // [mm] longest segment
-  const SizeField* sizes;  // points of refinement, and how fast segments grow
+  const SizeField* sizes;  // where they are less, and how fast segments grow
   double curve_angle;      // [rad] a segment of the curve may turn
   double normal_angle;     // [rad] the normals of the faces beside it may turn along a segment
 };

@@ -15,8 +15,10 @@
 #include "mesher/merge.h"
 #include "mesher/patch_job.h"
 #include "mesher/patch_plan.h"
+#include "mesher/run_notes.h"
 #include "mesher/sewn_edges.h"
 #include "mesher/tight_faces.h"
+#include "sizing/initial_nodes.h"
 
 namespace advlayers {
 namespace {
@@ -46,14 +48,13 @@ class Stopwatch {
 
 struct Mesher::Impl {
   Impl(const Model& the_model, const Settings& the_settings);
+  void place_initial_mesh();
   void make_jobs();
   void start();
   using AskedEdges = std::vector<std::vector<EdgeId>>;  // by patch: edges it finds too coarse
   void triangulate_all();
   std::set<EdgeId> halve(const AskedEdges& asked, const std::vector<char>& chosen);
   void advance_all();
-  void report_idle_walls(std::vector<Diagnostic>& diagnostics) const;
-  void report_sewing(std::vector<Diagnostic>& diagnostics) const;
   void finish_jobs();
   bool part_faces(const std::vector<FaceId>& faces, const std::string& reason);
   void part_tight_faces();
@@ -84,8 +85,19 @@ Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
       settings(in_edges_of(the_model, the_settings)),
       threads(useful_threads(the_settings.threads)) {
   check(settings, model);
+  place_initial_mesh();
   make_jobs();
   part_tight_faces();
+}
+
+void Mesher::Impl::place_initial_mesh() {
+  if (settings.initial_mesh == nullptr) return;
+  std::vector<FaceId> faces = settings.faces;
+  for (std::size_t i = 0; settings.faces.empty() && i < model.faces().size(); ++i) {
+    faces.emplace_back(i);
+  }
+  settings.initial_nodes =
+      std::make_shared<InitialNodes>(model, *settings.initial_mesh, faces, cancel);
 }
 
 void Mesher::Impl::make_jobs() {
@@ -188,33 +200,6 @@ void Mesher::Impl::advance_all() {
       std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_value(); });
 }
 
-// A wall that was asked for by name, but grows nowhere, is not passed over in silence.
-void Mesher::Impl::report_idle_walls(std::vector<Diagnostic>& diagnostics) const {
-  std::set<EdgeId> asked;
-  for (const WallSpec& spec : settings.walls) asked.insert(spec.edges.begin(), spec.edges.end());
-  for (const EdgeId edge : asked) {
-    const bool bounds = std::any_of(jobs.begin(), jobs.end(), [edge](const auto& job) {
-      return job->meshed() && job->borders_on(edge);
-    });
-    if (bounds) continue;
-    Diagnostic diagnostic;
-    diagnostic.code = "wall-inside";
-    diagnostic.text = edge_name(edge) + " bounds no meshed patch, and no layers grow from it; " +
-                      "listed in boundary, it bounds its faces";
-    diagnostics.push_back(std::move(diagnostic));
-  }
-}
-
-void Mesher::Impl::report_sewing(std::vector<Diagnostic>& diagnostics) const {
-  if (!model.sewn()) return;
-  Diagnostic diagnostic;
-  diagnostic.severity = Severity::kInfo;
-  diagnostic.code = "sewn";
-  diagnostic.text = "sewing joined " + std::to_string(model.joined_edges()) +
-                    " edges; free edges left: " + std::to_string(model.free_edges());
-  diagnostics.push_back(std::move(diagnostic));
-}
-
 void Mesher::Impl::finish_jobs() {
   const Stopwatch watch(seconds["core"]);
   for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
@@ -296,8 +281,9 @@ MeshResult Mesher::Impl::finish() {
     result.walls.insert(result.walls.end(), walls.begin(), walls.end());
   }
   name_given_edges(model, result);
-  report_sewing(result.diagnostics);
-  report_idle_walls(result.diagnostics);
+  note_sewing(model, result.diagnostics);
+  note_initial_mesh(settings, jobs, result.diagnostics);
+  note_idle_walls(settings, jobs, result.diagnostics);
   for (const auto* notes : {&partings, &boundary.notes}) {
     result.diagnostics.insert(result.diagnostics.end(), notes->begin(), notes->end());
   }

@@ -116,6 +116,7 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
           advlayers::triangulate(surface_, evaluator_, boundary, *settings_, cancel);
       mesh_ = std::move(made.mesh);
       coarse = std::move(made.coarse_edges);
+      initial_nodes_ = made.initial_nodes;
       for (Diagnostic& diagnostic : made.diagnostics) {
         diagnostic.patch = id_;
         diagnostics_.push_back(std::move(diagnostic));

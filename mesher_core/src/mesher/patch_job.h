@@ -38,6 +38,8 @@ class PatchJob {
   bool borders_on(EdgeId edge) const { return walls_.edges.count(edge) > 0; }
   PatchId id() const { return id_; }
   const std::vector<FaceId>& faces() const { return faces_; }
+  // Of triangulate(): vertices that the nodes of an initial mesh became.
+  int initial_nodes() const { return initial_nodes_; }
   // Of finish(): those of several faces that the patch's mesh could not follow.
   const std::vector<FaceId>& strained_faces() const { return strained_; }
   const std::vector<MatchEnd>& match_ends() const { return matches_.ends; }
@@ -75,6 +77,7 @@ class PatchJob {
   WallPlan walls_;     // of plan(), heights of triangulate()
   MatchPlan matches_;  // of plan()
   SurfaceMesh mesh_;
+  int initial_nodes_ = 0;
   std::unique_ptr<PatchLayers> layers_;
   bool meshed_ = false;
   bool growing_ = false;

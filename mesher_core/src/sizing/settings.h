@@ -1,6 +1,7 @@
 // What the user asks for, checked. Lengths in mm, angles in degrees, as in the job file.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,9 @@
 
 namespace advlayers {
 
+class InitialNodes;
 class Model;
+struct InitialMesh;
 
 enum class CoreElements { kQuads, kTriangles };
 enum class EndOfGrowth { kFrontsClose, kLayers, kIsotropic };
@@ -63,6 +66,9 @@ struct Settings {
   std::vector<EdgeId> smooth_edges;    // lie inside a patch, however sharp they are
   std::vector<FaceId> faces;           // empty: all
   int threads = 0;                     // 0: as many as there are
+  // A triangulation of the shape to start from, or none, and where Mesher found its nodes to lie.
+  std::shared_ptr<const InitialMesh> initial_mesh{};
+  std::shared_ptr<const InitialNodes> initial_nodes{};
 };
 
 FeatureRule feature_rule(const Settings& settings);

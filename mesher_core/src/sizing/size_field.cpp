@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sizing/initial_nodes.h"
+
 namespace advlayers {
+namespace {
+
+// Of the size: an initial mesh this much finer is meant to be, a lesser difference is its noise.
+constexpr double kClearlyFiner = 0.8;
+
+}  // namespace
 
 SizeField::SizeField(const Settings& settings)
     : size_(settings.size),
       slope_(std::log(settings.size_growth)),
-      refinements_(settings.refinements) {
+      refinements_(settings.refinements),
+      initial_(settings.initial_nodes) {
   for (const SizeSpec& spec : settings.sizes) {
     for (const FaceId f : spec.faces) {
       if (spec.size) faces_[f] = *spec.size;
@@ -36,7 +45,11 @@ const SizeSpec* SizeField::edge_spec(EdgeId edge) const {
   return found == edges_.end() ? nullptr : &found->second;
 }
 
-double SizeField::near(const Vec3& p, double size) const {
+double SizeField::near(const Vec3& p, FaceId face, double size) const {
+  if (initial_ != nullptr) {
+    const double spacing = initial_->spacing(face, p);
+    if (spacing < kClearlyFiner * size) size = spacing;
+  }
   for (const Refinement& r : refinements_) {
     const double beyond = std::max(0.0, (p - r.point).norm() - r.radius);
     size = std::min(size, r.size + slope_ * beyond);

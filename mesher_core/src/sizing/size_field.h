@@ -1,5 +1,6 @@
 // The edge length asked for at a place, before curvature: of all, of faces and edges of their own,
-// and about points of refinement.
+// about points of refinement, and where an
+// initial mesh is finer.
 #pragma once
 
 #include <unordered_map>
@@ -18,16 +19,18 @@ class SizeField {
   double of_edge(EdgeId edge, const std::vector<FaceId>& beside) const;
   // What an edge of its own asks for, or none.
   const SizeSpec* edge_spec(EdgeId edge) const;
-  // `size`, or less near a point of refinement [mm].
-  double near(const Vec3& p, double size) const;
+  // `size`, or less near a point of refinement or where the initial mesh on the face is clearly
+  // finer [mm].
+  double near(const Vec3& p, FaceId face, double size) const;
   // Change of the size per length [1]: neighbours differ by no more than `size_growth`.
   double slope() const { return slope_; }
-  bool refined() const { return !refinements_.empty(); }
+  bool refined() const { return !refinements_.empty() || initial_ != nullptr; }
 
  private:
   double size_;
   double slope_;
   std::vector<Refinement> refinements_;
+  std::shared_ptr<const InitialNodes> initial_;
   std::unordered_map<FaceId, double> faces_;
   std::unordered_map<EdgeId, SizeSpec> edges_;
 };

@@ -7,9 +7,10 @@
 #include <numeric>
 #include <queue>
 
-#include "base/predicates.h"
 #include "base/ties.h"
 #include "triangulate/crease_splits.h"
+#include "triangulate/initial_points.h"
+#include "triangulate/sheet_room.h"
 
 namespace advlayers {
 namespace {
@@ -19,10 +20,6 @@ using Side = PlanarTriangulation::Side;
 constexpr double kDegree = M_PI / 180;
 // A triangle is done once its circumradius is at most this much of the equilateral one's.
 constexpr double kRadiusLimit = 1.3;
-// No point nearer to another than this share of the size wanted there.
-constexpr double kClosest = 0.65;
-constexpr double kClosestToBorder = 0.4;
-constexpr double kBorderShare = 0.6;  // of the border edge's length, squared
 // An edge whose length at the mean of its ends' metrics and at its middle's differ by this share is
 // too long for either to be trusted.
 constexpr double kMetricMismatch = 0.35;
@@ -41,7 +38,6 @@ constexpr double kLongEnough = 0.8;
 constexpr double kHugging = 0.02;
 constexpr double kSagittas = 3;    // and of its sagitta
 constexpr int kMostDivisions = 8;  // per triangle, on average
-constexpr int kWalkLimit = 200;
 
 double local_size(const LiftedTriangulation& sheet, Side s) {
   return (sheet.vertex(sheet.mesh().from(s)).size + sheet.vertex(sheet.mesh().to(s)).size) / 2;
@@ -229,58 +225,10 @@ class FrontalInsertion {
     return middle + m.across(d) * (height / std::sqrt(length2));
   }
 
-  // The triangle that holds p, reached from t without crossing a boundary; -1 where there is none.
-  int walk(int t, const Vec2& p) const {
-    int from = -1;
-    for (int step = 0; step < kWalkLimit; ++step) {
-      int next = -1;
-      bool outside = false;
-      for (int i = 0; i < 3; ++i) {
-        const Side s{t, i};
-        if (mesh().triangle(t).n[i] == from && from >= 0) continue;
-        if (orient2d(mesh().point(mesh().from(s)), mesh().point(mesh().to(s)), p) >= 0) continue;
-        outside = true;
-        if (mesh().segment(s) < 0) next = mesh().triangle(t).n[i];
-      }
-      if (!outside) return t;
-      if (next < 0) return -1;
-      from = t;
-      t = next;
-    }
-    return -1;
-  }
-
-  bool crowds(int t, const Vec2& p, const LiftedVertex& candidate) const {
-    const auto& v = mesh().triangle(t).v;
-    double size = std::numeric_limits<double>::infinity();
-    std::array<double, 3> distance{};
-    for (int i = 0; i < 3; ++i) {
-      const LiftedVertex& corner = sheet_.vertex(v[i]);
-      const Vec2 d = p - mesh().point(v[i]);
-      distance[i] = std::sqrt((corner.metric + candidate.metric).squared(d) / 2);
-      size = std::min(size, corner.size + sheet_.gradation() * distance[i]);
-    }
-    if (*std::min_element(distance.begin(), distance.end()) < kClosest * size) return true;
-    for (int i = 0; i < 3; ++i) {
-      const Side s{t, i};
-      if (mesh().segment(s) < 0) continue;
-      const Vec2 d = mesh().point(mesh().to(s)) - mesh().point(mesh().from(s));
-      const Vec2 w = p - mesh().point(mesh().from(s));
-      const double length2 = candidate.metric.squared(d);
-      const double cross = d.x() * w.y() - d.y() * w.x();
-      const double height2 = cross * cross * candidate.metric.determinant() / length2;
-      if (height2 <
-          kClosestToBorder * kClosestToBorder * std::max(size * size, kBorderShare * length2)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   bool insert_above(Side s) {
     const Vec2 p = ideal_apex(s);
-    const int t = walk(s.t, p);
-    if (t < 0 || crowds(t, p, sheet_.evaluate(p))) return false;
+    const int t = walk_to(mesh(), s.t, p);
+    if (t < 0 || crowds(sheet_, t, p)) return false;
     if (sheet_.insert_in(t, p) < 0) return false;
     for (const int touched : sheet_.touched()) assess(touched);
     for (const int touched : sheet_.touched()) {
@@ -362,8 +310,10 @@ void refine_deviating(LiftedTriangulation& sheet, const CancelFlag& cancel) {
 
 }  // namespace
 
-void fill_sheet(LiftedTriangulation& sheet, const CancelFlag& cancel) {
+int fill_sheet(LiftedTriangulation& sheet, const std::vector<SurfacePoint>& initial,
+               const CancelFlag& cancel) {
   sheet.flip_all();
+  const int taken = insert_initial_points(sheet, initial, cancel);
   split_wide_edges(sheet, cancel);
   FrontalInsertion(sheet, cancel).run();
   split_creases(sheet, cancel);
@@ -371,6 +321,7 @@ void fill_sheet(LiftedTriangulation& sheet, const CancelFlag& cancel) {
   refine_deviating(sheet, cancel);
   sheet.straighten_poles();
   sheet.put_in_order();
+  return taken;
 }
 
 }  // namespace advlayers

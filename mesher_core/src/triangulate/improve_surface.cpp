@@ -24,12 +24,13 @@ class Improver {
   Improver(GluedMesh& glued, PatchSurface& surface, const CancelFlag& cancel)
       : mesh_(glued.mesh), ops_(glued.mesh, glued.sizes, surface), cancel_(cancel) {}
 
-  void run() {
+  void run(Places places) {
+    const int smoothing_rounds = places == Places::kEvened ? kSmoothingRounds : 0;
     flip_all();
-    for (int i = 0; i < kSmoothingRounds; ++i) smooth_and_flip();
+    for (int i = 0; i < smoothing_rounds; ++i) smooth_and_flip();
     mend_lengths();
     flip_all();
-    for (int i = 0; i < kSmoothingRounds; ++i) smooth_and_flip();
+    for (int i = 0; i < smoothing_rounds; ++i) smooth_and_flip();
     for (int i = 0; i < kMendingRounds && mend_poor_triangles(); ++i) flip_all();
   }
 
@@ -120,8 +121,9 @@ class Improver {
 
 }  // namespace
 
-void improve_surface(GluedMesh& glued, PatchSurface& surface, const CancelFlag& cancel) {
-  Improver(glued, surface, cancel).run();
+void improve_surface(GluedMesh& glued, PatchSurface& surface, Places places,
+                     const CancelFlag& cancel) {
+  Improver(glued, surface, cancel).run(places);
 }
 
 }  // namespace advlayers

@@ -8,8 +8,12 @@
 
 namespace advlayers {
 
+// Whether vertices are moved to even out their neighbourhood, or only where a triangle is poor.
+enum class Places { kEvened, kKept };
+
 // Flips, smooths, divides long edges and removes short ones until triangles are isotropic and
 // within the deviation bound, as far as the boundary lets them be.
-void improve_surface(GluedMesh& glued, PatchSurface& surface, const CancelFlag& cancel);
+void improve_surface(GluedMesh& glued, PatchSurface& surface, Places places,
+                     const CancelFlag& cancel);
 
 }  // namespace advlayers

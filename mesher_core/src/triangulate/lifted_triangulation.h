@@ -55,6 +55,7 @@ class LiftedTriangulation {
                       TargetSize target);
 
   const FaceSheet& sheet() const { return sheet_; }
+  const Face& face() const { return evaluator_->model().face(sheet_.face); }
   const PlanarTriangulation& mesh() const { return mesh_; }
   double gradation() const { return target_.gradation(); }  // of sizes, per length
   const LiftedVertex& vertex(int v) const { return vertices_[static_cast<std::size_t>(v)]; }
@@ -67,6 +68,7 @@ class LiftedTriangulation {
   double sagitta(int segment) const { return sagittas_[static_cast<std::size_t>(segment)]; }
 
   LiftedVertex evaluate(const Vec2& p);
+  double wanted_size(const Vec2& p) { return target_.at(evaluate(p).point); }  // ungraded [mm]
   double least_size() const { return target_.least(sheet_.face); }  // ever wanted [mm]
   void mark_crease(int v) { vertices_[static_cast<std::size_t>(v)].crease = true; }
 

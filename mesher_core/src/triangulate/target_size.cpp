@@ -16,7 +16,7 @@ TargetSize::TargetSize(Evaluator& evaluator, const Settings& settings)
       chord_of_unit_radius_(2 * std::sin(settings.curvature_angle * M_PI / 360)) {}
 
 double TargetSize::at(const SurfacePoint& p) {
-  const double size = sizes_.near(p.xyz, sizes_.of_face(p.face));
+  const double size = sizes_.near(p.xyz, p.face, sizes_.of_face(p.face));
   if (evaluator_->model().face(p.face).kind == SurfaceKind::kPlane) return size;
   const double curvature = evaluator_->max_curvature(p.face, p.u, p.v);
   if (!(curvature * size > chord_of_unit_radius_)) return size;  // also where it is not a number

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "geometry/patch_edges.h"
+#include "sizing/initial_nodes.h"
 #include "triangulate/check_deviation.h"
 #include "triangulate/constrained_delaunay.h"
 #include "triangulate/fill_sheet.h"
@@ -139,17 +140,21 @@ Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
                           const CancelFlag& cancel) {
   const std::vector<EdgeId> inner = inner_edges(evaluator, surface.faces(), feature_rule(settings));
   std::vector<LiftedTriangulation> sheets;
+  const InitialNodes* initial = settings.initial_nodes.get();
+  const std::vector<SurfacePoint> none;
+  Triangulation result;
   for (const FaceId face : surface.faces()) {
     FaceSheet sheet = lay_out_face(evaluator, boundary, face, inner);
     PlanarTriangulation planar = BoundaryTriangulation(sheet, cancel).run();
     sheets.emplace_back(std::move(sheet), std::move(planar), evaluator,
                         TargetSize(evaluator, settings));
-    fill_sheet(sheets.back(), cancel);
+    result.initial_nodes +=
+        fill_sheet(sheets.back(), initial == nullptr ? none : initial->on(face), cancel);
   }
   GluedMesh glued = glue_sheets(sheets, boundary, cancel);
   sheets.clear();
-  improve_surface(glued, surface, cancel);
-  Triangulation result;
+  improve_surface(glued, surface, result.initial_nodes > 0 ? Places::kKept : Places::kEvened,
+                  cancel);
   result.mesh = std::move(glued.mesh);
   Deviations deviations = check_deviation(result.mesh, surface, cancel);
   result.diagnostics = std::move(deviations.diagnostics);

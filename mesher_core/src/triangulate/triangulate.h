@@ -24,6 +24,7 @@ struct Triangulation {
   // Sorted: curved edges beside which triangles are turned over, as their mesh edges leave them by
   // more than a narrow face is wide. Cut finer, they may do better.
   std::vector<EdgeId> coarse_edges;
+  int initial_nodes = 0;  // vertices that the nodes of an initial mesh became
 };
 
 // The mesh edges on these CAD edges are too long for the shape between them: they cross each other,
@@ -39,6 +40,8 @@ class BoundaryTooCoarse : public GeometryError {
   std::vector<EdgeId> edges_;
 };
 
+// With an initial mesh its nodes inside the faces become vertices where they lie, as far as there
+// is room; what is too coarse is refined, and what is poor moved, as anywhere.
 // Throws BoundaryTooCoarse naming face and edges, and GeometryError naming the face where no valid
 // triangulation is found for another reason.
 Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
