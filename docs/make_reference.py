@@ -36,6 +36,7 @@ _VALUES = {
     "flag": "true or false",
     "text": "text",
     "path": "path",
+    "mesh": "path",
     "paths": "list of paths",
 }
 
@@ -48,6 +49,11 @@ def page():
         "Relative paths are relative to the job file. Of several shapes in an FCStd file the "
         "report names the one taken.", "",
         "## Mesh", "", _table(table.MESH_SETTINGS, properties=True), "",
+        "`initial_mesh` is a file of surface or solid elements in mm, of first or second order, "
+        "read by its ending: " + _endings() + ". In Python it may also be a pair of points (n, 3) "
+        "and triangles (m, 3), or a mesh object of the document (Gmsh's, Netgen's, a layer mesh, a "
+        "Mesh object), which it is linked to; a file or arrays become such an object. What becomes "
+        "of its nodes stands in [method.md](method.md#starting-from-an-existing-mesh).", "",
         "## One wall of a list of walls", "", _table(table.WALL_SETTINGS, properties=False), "",
         "With a list of walls, other boundary edges that touch a wall are match edges, the "
         "rest are off; `match` and `off` override that. `end_height` is for edges with two "
@@ -94,6 +100,12 @@ def _range(entry):
     from advlayers.settings_table import range_text
 
     return range_text(entry)
+
+
+def _endings():
+    from advlayers.initial_mesh import ENDINGS
+
+    return " ".join(f"`{ending}`" for ending in ENDINGS)
 
 
 def _formats():

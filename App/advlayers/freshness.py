@@ -18,9 +18,9 @@ _DEFAULTS = {entry.key: list(entry.default) if isinstance(entry.default, tuple) 
 
 
 def settings_text(settings: Mapping[str, Any]) -> str:
-    """What the mesh depends on, in a fixed order."""
+    """What the mesh depends on, in a fixed order; linked objects by their names."""
     kept = {key: value for key, value in settings.items() if key != "threads"}
-    return json.dumps(kept, sort_keys=True)
+    return json.dumps(kept, sort_keys=True, default=lambda linked: linked.Name)
 
 
 def same_settings(kept: str, now: str) -> bool:

@@ -7,7 +7,7 @@ import sys
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
 
-from advlayers import cad_input, export, faceted
+from advlayers import cad_input, export, faceted, initial_mesh
 from advlayers.errors import InputError
 from advlayers.settings_check import check_all
 from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS
@@ -34,6 +34,8 @@ def read_job(path: str) -> Job:
         given.setdefault("feature_angle", faceted.FEATURE_ANGLE)
     values = check_all(given, JOB_SETTINGS + MESH_SETTINGS)
     folder = os.path.dirname(os.path.abspath(path))
+    if values[initial_mesh.KEY] is not None:
+        values[initial_mesh.KEY] = os.path.normpath(os.path.join(folder, values[initial_mesh.KEY]))
     job = Job(
         input_name=values["input"],
         input=os.path.normpath(os.path.join(folder, values["input"])),
@@ -80,9 +82,14 @@ def _read_json(path: str) -> Dict[str, Any]:
 
 def _check_files(job: Job, job_path: str) -> None:
     cad_input.check_readable(job.input, in_freecad())
+    initial = job.settings[initial_mesh.KEY]
+    if initial is not None:
+        initial_mesh.check_readable(initial, in_freecad())
     if not job.outputs and not job.report:
         raise InputError("outputs", "names no file, and there is no report: nothing to do")
     taken = {os.path.realpath(job.input): "the input", os.path.realpath(job_path): "the job file"}
+    if initial is not None:
+        taken[os.path.realpath(initial)] = "the initial mesh"
     targets = [(f"outputs[{i}]", path) for i, path in enumerate(job.outputs)]
     if job.report:
         targets.append(("report", job.report))

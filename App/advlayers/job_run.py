@@ -6,7 +6,7 @@ import os
 import time
 from typing import Any, Callable, Dict, List, Optional
 
-from advlayers import cad_input, export
+from advlayers import cad_input, export, initial_mesh
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.job import Job, in_freecad
@@ -29,10 +29,11 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     watch("reading", [])
     cad = cad_input.read(core, job.input, job.object, in_freecad(), job.settings["sew_tolerance"])
     check_names(job.settings, cad.model.face_count, cad.model.edge_count, job.input_name)
+    settings = {**job.settings, initial_mesh.KEY: _initial_mesh(job)}
     seconds = {"read": time.perf_counter() - begin}
 
     try:
-        mesher = core.Mesher(cad.model, core_settings(core, job.settings, cad.model.diagonal))
+        mesher = core.Mesher(cad.model, core_settings(core, settings, cad.model.diagonal))
     except core.InvalidInput as error:
         raise InputError("", str(error)) from error
     mesh = Run(lambda: mesher).finish(lambda reports: watch("meshing", reports))
@@ -60,6 +61,11 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     finally:
         _close(product.document)
     return report
+
+
+def _initial_mesh(job: Job) -> Optional[initial_mesh.Arrays]:
+    path = job.settings[initial_mesh.KEY]
+    return None if path is None else initial_mesh.read(path)
 
 
 def _report(job: Job, cad: cad_input.Cad, mesh, seconds: Dict[str, float]) -> Dict[str, Any]:

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from advlayers import (
-    analysis, cad_input, controls, faceted, fem_mesh, freshness, mesh_data, mesh_history,
-    migrations)
+    analysis, cad_input, controls, faceted, fem_mesh, freshness, initial_mesh, mesh_data,
+    mesh_history, migrations)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.mesh_data import MeshData
@@ -66,6 +66,8 @@ _HIDDEN_RESULTS = (
      "The node, counted from 0, that each node was extruded from; else -1."),
     ("MeshedSettings", "App::PropertyString", "The settings that the mesh was made with."),
     ("MeshedShape", "App::PropertyFloatList", "Points of the shape that was meshed."),
+    ("MeshedInitialMesh", "App::PropertyFloatList",
+     "Counts and nodes of the initial mesh that the mesh was made from."),
     ("MeshId", "App::PropertyString", "Tells this mesh from the ones before it."),
     ("Picked", "App::PropertyStringList", "What the faces looked like when they were picked."),
     ("SchemaVersion", "App::PropertyInteger", "The way in which the object keeps its data."),
@@ -124,6 +126,7 @@ def create(source, **settings):
     checked = check_all(plain_values(settings, MESH_SETTINGS), MESH_SETTINGS)
     check_names(checked, len(shape.Faces), len(shape.Edges), source.Label)
     checked.update(default_lengths(checked, shape.BoundBox.DiagonalLength))
+    checked[initial_mesh.KEY] = initial_mesh.in_document(source.Document, checked[initial_mesh.KEY])
 
     created = source.Document.addObject("Fem::FemMeshObjectPython", "LayerMesh")
     LayerMesh(created)
@@ -151,6 +154,7 @@ class MadeFrom:
     settings: Dict[str, Any]  # checked
     settings_text: str
     points: List[float]
+    initial_points: List[float]
 
 
 @dataclass(frozen=True)
@@ -161,12 +165,14 @@ class Task:
     label: str  # of what is meshed
     brep: str
     made_from: MadeFrom
+    initial: Optional[initial_mesh.Arrays]
     groups: Dict[str, Sequence[str]]  # named ones, and those that constraints of analyses need
 
     def make_mesher(self, core):
         """Reads the shape; may run in any thread. Raises what the core raises."""
         model = core.read_brep(self.brep, self.made_from.settings["sew_tolerance"])
-        return core.Mesher(model, core_settings(core, self.made_from.settings, model.diagonal))
+        settings = {**self.made_from.settings, initial_mesh.KEY: self.initial}
+        return core.Mesher(model, core_settings(core, settings, model.diagonal))
 
     def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):
         return fem_mesh.to_fem_mesh(mesh, self.groups, check)
@@ -179,14 +185,16 @@ def prepare(document_object) -> Task:
     origin = made_from(document_object)
     check_names(origin.settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
     groups = {**origin.settings["groups"], **analysis.constraint_groups(document_object)}
-    return Task(document_object.Part.Label, shape.exportBrepToString(), origin, groups)
+    initial = document_object.InitialMesh and initial_mesh.of_object(document_object.InitialMesh)
+    return Task(document_object.Part.Label, shape.exportBrepToString(), origin, initial, groups)
 
 
 def made_from(document_object) -> MadeFrom:
     """Raises InputError."""
     return MadeFrom(settings_of(document_object),
                     freshness.settings_text(raw_settings(document_object)),
-                    freshness.shape_points(cad_input.global_shape(document_object.Part)))
+                    freshness.shape_points(cad_input.global_shape(document_object.Part)),
+                    initial_mesh.fingerprint(document_object.InitialMesh))
 
 
 def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None) -> None:
@@ -224,6 +232,7 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom,
     document_object.NodeParents = mesh.node_parent.tolist()
     document_object.MeshedSettings = origin.settings_text
     document_object.MeshedShape = origin.points
+    document_object.MeshedInitialMesh = origin.initial_points
     refresh_state(document_object)
     if document_object.State == UP_TO_DATE:  # else the model was edited meanwhile
         accept_references(document_object)
@@ -332,8 +341,14 @@ def _fits(document_object) -> bool:
     if not freshness.same_settings(document_object.MeshedSettings, now):
         return False
     shape = cad_input.global_shape(document_object.Part)
-    return not shape.isNull() and freshness.same_points(
-        document_object.MeshedShape, freshness.shape_points(shape), shape.BoundBox.DiagonalLength)
+    if shape.isNull():
+        return False
+    diagonal = shape.BoundBox.DiagonalLength
+    return freshness.same_points(
+        document_object.MeshedShape, freshness.shape_points(shape), diagonal
+    ) and freshness.same_points(
+        document_object.MeshedInitialMesh,
+        initial_mesh.fingerprint(document_object.InitialMesh), diagonal)
 
 
 def add_properties(document_object) -> None:

@@ -130,6 +130,12 @@ def _text(key: str, value: Any, _entry: Setting) -> str:
     return value
 
 
+def _mesh(key: str, value: Any, entry: Setting) -> Any:
+    """A path; or, in Python, a mesh object of the document, or a pair of arrays."""
+    in_python = hasattr(value, "isDerivedFrom") or (isinstance(value, tuple) and len(value) == 2)
+    return value if in_python else _text(key, value, entry)
+
+
 def _paths(key: str, value: Any, entry: Setting) -> Tuple[str, ...]:
     if not isinstance(value, (list, tuple)):
         raise InputError(key, f"must be a list of files, got {_shown(value)}")
@@ -211,7 +217,8 @@ def _groups(key: str, value: Any, _entry: Setting) -> Dict[str, Tuple[str, ...]]
 
 CHECKS: Dict[str, Callable[[str, Any, Setting], Any]] = {
     "number": _number, "count": _count, "layers": _layers, "choice": _choice, "flag": _flag,
-    "text": _text, "path": _text, "paths": _paths, "faces": _faces, "faces_only": _faces_only,
+    "text": _text, "path": _text, "mesh": _mesh, "paths": _paths, "faces": _faces,
+    "faces_only": _faces_only,
     "edges": _edges, "walls": _walls, "groups": _groups,
     "sizes": _sizes, "refinements": _refinements, "point": _point,
 }

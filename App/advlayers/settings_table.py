@@ -49,6 +49,13 @@ MESH_SETTINGS = (
         property="SewTolerance", property_type="App::PropertyLength", group="Geometry",
     ),
     Setting(
+        "initial_mesh", "mesh", None,
+        "An existing mesh of the shape to start from. Inside the faces its nodes are where the "
+        "triangulation starts; where it is finer than size, edges and core become as fine. Its "
+        "layers and its order do not come over.",
+        property="InitialMesh", property_type="App::PropertyLinkGlobal", group="Geometry",
+    ),
+    Setting(
         "size", "number", None,
         "Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the "
         "shape's bounding box.",

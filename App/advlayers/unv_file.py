@@ -1,13 +1,27 @@
-"""Writes I-DEAS universal files: datasets 2411 (nodes), 2412 (elements), 2467 (groups)."""
+"""I-DEAS universal files: datasets 2411 (nodes), 2412 (elements), 2467 (groups; written only)."""
 from __future__ import annotations
 
-from typing import List
+from typing import Any, Dict, Iterator, List, Tuple
+
+import numpy as np
 
 from advlayers.mesh_groups import Group
 
 # Thin-shell types as FreeCAD's own reader and writer use them.
 _QUAD, _TRIANGLE = 44, 41
 _ELEMENT_ENTITY, _NODE_ENTITY = 8, 7
+# By type, the places of the corners: in elements of second order they take turns with the nodes on
+# the edges between them.
+_CORNERS = {
+    **{kind: ("triangle", (0, 1, 2)) for kind in (41, 51, 61, 74, 81, 91)},
+    **{kind: ("triangle", (0, 2, 4)) for kind in (42, 52, 62, 72, 82, 92)},
+    **{kind: ("quad", (0, 1, 2, 3)) for kind in (44, 54, 64, 71, 84, 94)},
+    **{kind: ("quad", (0, 2, 4, 6)) for kind in (45, 55, 65, 75, 85, 95)},
+    111: ("tetra", (0, 1, 2, 3)), 118: ("tetra", (0, 2, 4, 9)),
+    112: ("wedge", (0, 1, 2, 3, 4, 5)), 113: ("wedge", (0, 2, 4, 9, 11, 13)),
+    115: ("hexahedron", tuple(range(8))), 116: ("hexahedron", (0, 2, 4, 6, 12, 14, 16, 18)),
+}
+_BEAMS = (11, 21, 22, 23, 24)  # with a record more
 
 
 def write_unv(path: str, mesh, groups: List[Group]) -> None:
@@ -32,3 +46,48 @@ def write_unv(path: str, mesh, groups: List[Group]) -> None:
             for j in range(0, len(records), 2):
                 file.write("".join(records[j:j + 2]) + "\n")
         file.write("    -1\n")
+
+
+def read_unv(path: str) -> Tuple[Any, Dict[str, Any]]:
+    """Points (n, 3) and cells by kind, (k, corners) each, of the first two datasets: elements with
+    nodes on their edges are read by their corners. Raises ValueError and OSError."""
+    points: Dict[int, List[float]] = {}
+    cells: Dict[str, List[List[int]]] = {}
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = iter(file.read().splitlines())
+    for line in lines:
+        if line.strip() == "2411":
+            _read_nodes(lines, points)
+        elif line.strip() == "2412":
+            _read_elements(lines, cells)
+    index = {number: place for place, number in enumerate(points)}
+    try:
+        found = {kind: np.array([[index[number] for number in row] for row in rows], np.int64)
+                 for kind, rows in cells.items()}
+    except KeyError as error:
+        raise ValueError(f"an element has node {error}, which is not there") from error
+    return np.array(list(points.values()), float).reshape(-1, 3), found
+
+
+def _read_nodes(lines: Iterator[str], points: Dict[int, List[float]]) -> None:
+    for line in lines:
+        number = int(line.split()[0])
+        if number == -1:
+            return
+        points[number] = [float(word.replace("D", "E")) for word in next(lines).split()]
+
+
+def _read_elements(lines: Iterator[str], cells: Dict[str, List[List[int]]]) -> None:
+    for line in lines:
+        words = [int(word) for word in line.split()]
+        if words[0] == -1:
+            return
+        kind, count = words[1], words[5]
+        if kind in _BEAMS:
+            next(lines)
+        numbers: List[int] = []
+        while len(numbers) < count:
+            numbers += [int(word) for word in next(lines).split()]
+        if kind in _CORNERS:
+            name, places = _CORNERS[kind]
+            cells.setdefault(name, []).append([numbers[place] for place in places])

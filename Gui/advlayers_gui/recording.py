@@ -78,4 +78,6 @@ def _references(control) -> str:
 
 
 def _code(value: Any) -> str:
+    if hasattr(value, "isDerivedFrom"):
+        return in_code(value)
     return repr(getattr(value, "Value", value))

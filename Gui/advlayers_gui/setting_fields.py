@@ -7,6 +7,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from advlayers.errors import InputError
+from advlayers.initial_mesh import holds_mesh
 from advlayers.language import tr
 from advlayers.properties import from_property, property_name, to_property
 from advlayers.settings_table import Setting, unset_value
@@ -211,7 +212,34 @@ class LinesField(Field):
         """A line that is being written is no entry yet: it counts with Mesh and OK."""
 
 
-def field_for(entry: Setting) -> Field:
+class MeshField(Field):
+    """One of the document's meshes, or none."""
+
+    def __init__(self, entry: Setting, document_object) -> None:
+        super().__init__(entry, QtGui.QComboBox())
+        self.widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        # Not those made from this one: no object may depend on itself.
+        later = [document_object] + document_object.InListRecursive
+        self._meshes = [None] + [other for other in document_object.Document.Objects
+                                 if holds_mesh(other) and other not in later]
+        self.widget.addItems([tr("none")] + [mesh.Label for mesh in self._meshes[1:]])
+
+    def value(self) -> Any:
+        return self._meshes[self.widget.currentIndex()]
+
+    def show(self, value: Any) -> None:
+        if value not in self._meshes:
+            self._meshes.append(value)
+            self.widget.addItem(value.Label)
+        self.widget.setCurrentIndex(self._meshes.index(value))
+
+    def on_edited(self, act: Callable[[], None]) -> None:
+        self.widget.currentIndexChanged.connect(lambda _index: act())
+
+
+def field_for(entry: Setting, document_object) -> Field:
+    if entry.kind == "mesh":
+        return MeshField(entry, document_object)
     if entry.kind == "number":
         return QuantityField(entry) if entry.unit else NumberField(entry)
     return {"count": CountField, "layers": LayersField, "choice": ChoiceField,
@@ -243,7 +271,7 @@ class SettingsForm:
             field.bind(document_object)
 
     def _add(self, entry: Setting, layout, optional: bool) -> None:
-        field = field_for(entry)
+        field = field_for(entry, self._object)
         name = f"{type(self._object.Proxy).__name__}_{entry.key}"
         field.widget.setObjectName(name)
         field.widget.setMinimumWidth(_LEAST_WIDTH)

@@ -363,6 +363,10 @@
         <translation>Höhe erreicht</translation>
     </message>
     <message>
+        <source>Initial mesh</source>
+        <translation>Ausgangsnetz</translation>
+    </message>
+    <message>
         <source>Inverted</source>
         <translation>Umgeklappt</translation>
     </message>
@@ -691,6 +695,10 @@
         <translation>kein gültiges Element passt</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
         <source>pick a face or an edge of {}</source>
         <translation>wählen Sie eine Fläche oder Kante von {}</translation>
     </message>
@@ -778,12 +786,20 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>An existing mesh of the shape to start from. Inside the faces its nodes are where the triangulation starts; where it is finer than size, edges and core become as fine. Its layers and its order do not come over.</source>
+        <translation>Ein vorhandenes Netz der Form, mit dem begonnen wird. Im Inneren der Flächen sind seine Knoten der Anfang der Triangulierung; wo es feiner ist als die Größe, werden Kanten und Kern ebenso fein. Seine Schichten und seine Ordnung werden nicht übernommen.</translation>
+    </message>
+    <message>
         <source>Clusters towards both ends: the ratio is then that of the middle to the ends.</source>
         <translation>Verdichtet zu beiden Enden hin: das Verhältnis ist dann das der Mitte zu den Enden.</translation>
     </message>
     <message>
         <source>Corner angles from 45 to 135 degrees [%].</source>
         <translation>Eckenwinkel von 45 bis 135 Grad [%].</translation>
+    </message>
+    <message>
+        <source>Counts and nodes of the initial mesh that the mesh was made from.</source>
+        <translation>Anzahlen und Knoten des Ausgangsnetzes, aus dem das Netz entstand.</translation>
     </message>
     <message>
         <source>Each layer is this much higher than the one before it.</source>

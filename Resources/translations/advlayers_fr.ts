@@ -363,6 +363,10 @@
         <translation>Hauteur obtenue</translation>
     </message>
     <message>
+        <source>Initial mesh</source>
+        <translation>Maillage initial</translation>
+    </message>
+    <message>
         <source>Inverted</source>
         <translation>Retournés</translation>
     </message>
@@ -691,6 +695,10 @@
         <translation>aucun élément valide ne convient</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
         <source>pick a face or an edge of {}</source>
         <translation>choisissez une face ou une arête de {}</translation>
     </message>
@@ -778,12 +786,20 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>An existing mesh of the shape to start from. Inside the faces its nodes are where the triangulation starts; where it is finer than size, edges and core become as fine. Its layers and its order do not come over.</source>
+        <translation>Un maillage existant de la forme, d'où partir. À l'intérieur des faces, ses nœuds sont le départ de la triangulation ; là où il est plus fin que la taille, les arêtes et le cœur le deviennent aussi. Ses couches et son ordre ne sont pas repris.</translation>
+    </message>
+    <message>
         <source>Clusters towards both ends: the ratio is then that of the middle to the ends.</source>
         <translation>Resserre vers les deux bouts : le rapport est alors celui du milieu aux bouts.</translation>
     </message>
     <message>
         <source>Corner angles from 45 to 135 degrees [%].</source>
         <translation>Angles des coins de 45 à 135 degrés [%].</translation>
+    </message>
+    <message>
+        <source>Counts and nodes of the initial mesh that the mesh was made from.</source>
+        <translation>Nombres et nœuds du maillage initial dont le maillage est issu.</translation>
     </message>
     <message>
         <source>Each layer is this much higher than the one before it.</source>

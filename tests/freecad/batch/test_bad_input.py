@@ -30,6 +30,9 @@ BAD = {
     "text for a number": ({"growth": "1.2"}, "growth"),
     "truth for a number": ({"layers": True}, "layers"),
     "one name for a list": ({"faces": "Face1"}, "faces"),
+    "initial mesh that is not there": ({"initial_mesh": "none.vtu"}, "initial_mesh"),
+    "initial mesh of no known format": ({"initial_mesh": "start.xyz"}, "initial_mesh"),
+    "initial mesh that is a number": ({"initial_mesh": 5}, "initial_mesh"),
     "folder that is not there": ({"outputs": ["none/box.vtu"]}, "outputs"),
     "unknown format": ({"outputs": ["box.vtu", "box.xyz"]}, "outputs[1]"),
 }

@@ -49,6 +49,26 @@ def test_ok_meshes_what_was_not_meshed(opened):
     assert opened.State == layer_mesh.UP_TO_DATE and opened.FemMesh.QuadrangleCount > 0
 
 
+def test_a_mesh_to_start_from_is_chosen_in_the_panel(opened):
+    press_ok()
+    coarse = opened.NodeCount
+    start = advlayers.make_layer_mesh(opened.Part, size=opened.Size.Value / 3, walls=())
+    edit(opened)
+    child(QtGui.QGroupBox, "AdvLayersAdvanced").setChecked(True)
+    meshes = child(QtGui.QComboBox, "LayerMesh_initial_mesh")
+    # The mesh itself is not offered.
+    assert [meshes.itemText(i) for i in range(meshes.count())] == ["none", start.Label]
+    meshes.setCurrentIndex(1)
+    events()
+    assert opened.InitialMesh is start
+    mesh_until_done(opened)
+    press_ok()
+    assert opened.State == layer_mesh.UP_TO_DATE and opened.NodeCount > 2 * coarse
+    edit(opened)
+    assert child(QtGui.QComboBox, "LayerMesh_initial_mesh").currentText() == start.Label
+    press_cancel()
+
+
 def test_every_setting_can_be_reached(opened):
     names = [entry.key for entry in MESH_SETTINGS if entry.property and entry.key != "faces"]
     for key in names:
