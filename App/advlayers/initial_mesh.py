@@ -179,11 +179,17 @@ def _of_fem(fem):
 
 def _placed(document_object, points):
     """FreeCAD gives points with the object's own placement, but without those of its parents."""
-    if not hasattr(document_object, "getGlobalPlacement") or not len(points):
-        return points
-    beyond = document_object.getGlobalPlacement().multiply(
-        document_object.Placement.inverse())
-    if beyond.isIdentity():
+    beyond = _parent_placement(document_object)
+    if beyond is None or not len(points):
         return points
     matrix = np.array(beyond.toMatrix().A).reshape(4, 4)
     return points @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def _parent_placement(document_object):
+    """Of the part that it is in, directly or in a group (an analysis); None without one."""
+    part = document_object.getParentGeoFeatureGroup()
+    if part is not None:
+        return part.getGlobalPlacement()
+    group = document_object.getParentGroup()
+    return None if group is None else _parent_placement(group)

@@ -83,8 +83,10 @@ def test_placements_count(box):
         advlayers.make_layer_mesh(box, **SETTINGS, initial_mesh=start)
     part = box.Document.addObject("App::Part", "Assembly")
     part.addObject(start)
+    part.Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 180)
     part.Placement.Base = FreeCAD.Vector(70, 0, 0)
-    start.Placement.Base = FreeCAD.Vector(30, 0, 0)
+    start.Placement = part.Placement.inverse()
+    start.Placement.Base += part.Placement.Rotation.inverted().multVec(FreeCAD.Vector(100, 0, 0))
     box.Document.recompute()
     assert np.allclose(initial_mesh.of_object(start)[0], points)
     assert taken(advlayers.make_layer_mesh(box, **SETTINGS, initial_mesh=start)) > 50
