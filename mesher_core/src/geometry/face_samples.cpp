@@ -7,18 +7,44 @@ namespace advlayers {
 
 namespace {
 
-constexpr int kGrid = 16;   // samples per direction over the bounds
-constexpr int kStarts = 5;  // samples that Newton starts from
+// Samples per direction over the bounds: more where the surface winds, as a thread does, so that a
+// chord between two would miss a part of the way.
+constexpr int kGrid = 16, kMostGrid = 256;
+constexpr double kMissed = 1.05;  // length with twice the samples, over that with these
+constexpr int kStarts = 5;        // samples that Newton starts from
 constexpr double kGoldenRatio = 0.6180339887498949;
+
+// Of a line across the face, through its middle; `share` from 0 to 1 gives its points.
+template <class PointAt>
+int samples_along(const PointAt& point_at) {
+  const auto length = [&](int count) {
+    double sum = 0;
+    Vec3 last = point_at(0.0);
+    for (int k = 1; k <= count; ++k) {
+      const Vec3 next = point_at(static_cast<double>(k) / count);
+      sum += (next - last).norm();
+      last = next;
+    }
+    return sum;
+  };
+  int count = kGrid;
+  while (count < kMostGrid && length(2 * count) > kMissed * length(count)) count *= 2;
+  return count;
+}
 
 }  // namespace
 
 FaceSamples::FaceSamples(const Face& face, const FaceSurface& surface, const FaceDomain& domain)
     : surface_(&surface), domain_(&domain) {
-  for (int i = 0; i < kGrid; ++i) {
-    for (int j = 0; j < kGrid; ++j) {
-      const double u = face.u_min + (face.u_max - face.u_min) * (i + 0.5) / kGrid;
-      const double v = face.v_min + (face.v_max - face.v_min) * (j + 0.5) / kGrid;
+  const auto u_at = [&](double share) { return face.u_min + (face.u_max - face.u_min) * share; };
+  const auto v_at = [&](double share) { return face.v_min + (face.v_max - face.v_min) * share; };
+  const int along_u = samples_along([&](double s) { return surface.value(u_at(s), v_at(0.5)); });
+  const int along_v = samples_along([&](double s) { return surface.value(u_at(0.5), v_at(s)); });
+  rows_ = static_cast<std::size_t>(along_u);
+  columns_ = static_cast<std::size_t>(along_v);
+  for (int i = 0; i < along_u; ++i) {
+    for (int j = 0; j < along_v; ++j) {
+      const double u = u_at((i + 0.5) / along_u), v = v_at((j + 0.5) / along_v);
       samples_.push_back({u, v, surface.value(u, v)});
     }
   }
@@ -27,19 +53,40 @@ FaceSamples::FaceSamples(const Face& face, const FaceSurface& surface, const Fac
   }
 }
 
-SurfacePoint FaceSamples::closest(FaceId id, const Vec3& xyz, const EdgePointAt& at) const {
-  std::vector<std::pair<double, std::size_t>> order;
-  order.reserve(samples_.size());
+// The samples nearest to a point; and, of the grid, those with none nearer beside them: where the
+// surface comes by several times, as a thread does, the nearest samples may all be of one turn.
+std::vector<std::size_t> FaceSamples::starts(const Vec3& xyz) const {
+  std::vector<std::pair<double, std::size_t>> all, dips;
+  all.reserve(samples_.size());
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    order.emplace_back((samples_[i].xyz - xyz).squaredNorm(), i);
+    all.emplace_back((samples_[i].xyz - xyz).squaredNorm(), i);
   }
-  const auto starts = std::min<std::size_t>(kStarts, order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(starts),
-                    order.end());
+  for (std::size_t i = 0; i < rows_ * columns_; ++i) {
+    const std::size_t column = i % columns_;
+    const bool dip = (column == 0 || all[i].first <= all[i - 1].first) &&
+                     (column + 1 == columns_ || all[i].first <= all[i + 1].first) &&
+                     (i < columns_ || all[i].first <= all[i - columns_].first) &&
+                     (i + columns_ >= rows_ * columns_ || all[i].first <= all[i + columns_].first);
+    if (dip) dips.push_back(all[i]);
+  }
+  std::vector<std::size_t> chosen;
+  for (auto* from : {&all, &dips}) {
+    const auto count = std::min<std::size_t>(kStarts, from->size());
+    const auto end = from->begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(from->begin(), end, from->end());
+    for (auto it = from->begin(); it != end; ++it) {
+      const bool known = std::find(chosen.begin(), chosen.end(), it->second) != chosen.end();
+      if (!known) chosen.push_back(it->second);
+    }
+  }
+  return chosen;
+}
+
+SurfacePoint FaceSamples::closest(FaceId id, const Vec3& xyz, const EdgePointAt& at) const {
   SurfacePoint best = closest_on_boundary(xyz, at);
   double best_distance = (best.xyz - xyz).norm();
-  for (std::size_t k = 0; k < starts; ++k) {
-    const Sample& start = samples_[order[k].second];
+  for (const std::size_t i : starts(xyz)) {
+    const Sample& start = samples_[i];
     SurfacePoint foot{id, start.u, start.v, start.xyz};
     if (!surface_->project(xyz, foot.u, foot.v, foot.xyz)) continue;
     const double distance = (foot.xyz - xyz).norm();

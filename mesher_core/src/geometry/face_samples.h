@@ -17,6 +17,7 @@ class FaceSamples {
   SurfacePoint closest(FaceId id, const Vec3& xyz, const EdgePointAt& at) const;
 
  private:
+  std::vector<std::size_t> starts(const Vec3& xyz) const;
   SurfacePoint closest_on_boundary(const Vec3& xyz, const EdgePointAt& at) const;
 
   struct Sample {
@@ -25,7 +26,8 @@ class FaceSamples {
   };
   const FaceSurface* surface_;
   const FaceDomain* domain_;
-  std::vector<Sample> samples_;
+  std::vector<Sample> samples_;  // of the grid, row by row, then of the boundary
+  std::size_t rows_ = 0, columns_ = 0;
 };
 
 }  // namespace advlayers

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kOff = 0.25;    // of the spacing, that a node may lie off the shape
 constexpr double kExact = 1e-3;  // of the spacing: surely on the face
+constexpr int kMostOff = 100;    // nodes off the shape before the rest is not looked at any more
+constexpr int kRounds = 3;       // over nodes not found on the shape at once
 constexpr int kSamples = 8;      // per direction of a face, to find what is missing
 constexpr double kReach = 1.2;   // of a triangle about its centroid, in radii
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -108,7 +110,8 @@ class Placer {
         feet_(mesh.points.size()),
         distances_(mesh.points.size(), kInfinity) {}
 
-  // From node to node along the mesh: a node's neighbours tell where to look for its foot.
+  // From node to node along the mesh: a node's neighbours tell where to look for its foot. What is
+  // not on the shape then is looked at again, once all its neighbours have their feet.
   void run() {
     std::vector<char> reached(neighbours_.count(), 0);
     for (std::size_t start = 0; start < neighbours_.count(); ++start) {
@@ -122,6 +125,12 @@ class Placer {
           if (!std::exchange(reached[next], 1)) queue.push_back(next);
         }
       }
+    }
+    for (int round = 0; round < kRounds; ++round) {
+      for (const std::size_t node : doubtful_) follow_neighbours(node);
+    }
+    for (const std::size_t node : doubtful_) {
+      if (is_off(node)) refuse_node(node);
     }
   }
 
@@ -143,23 +152,42 @@ class Placer {
 
   void place(std::size_t node) {
     cancel_.check();
+    const std::vector<FaceId> asked = follow_neighbours(node);
+    if (is_exact(node)) return;
+    search(node, asked);
+    doubtful_.push_back(node);
+    if (is_off(node)) ++off_;
+    if (off_ > kMostOff) refuse_node(node);
+  }
+
+  bool is_exact(std::size_t node) const {
+    return distances_[node] <= kExact * neighbours_.spacing(node);
+  }
+  bool is_off(std::size_t node) const {
+    return !(distances_[node] <= kOff * neighbours_.spacing(node));
+  }
+
+  // Returns the faces that hold a foot.
+  std::vector<FaceId> follow_neighbours(std::size_t node) {
     std::vector<FaceId> asked;
     for (std::size_t k = 0; k < neighbours_.degree(node); ++k) {
       const SurfacePoint& seed = feet_[neighbours_.of(node, k)];
-      if (!seed.face.valid() || contains(asked, seed.face)) continue;
+      if (!seed.face.valid()) continue;
       SurfacePoint foot;
       if (!evaluator_.project(mesh_.points[node], seed, foot)) continue;
       if (!evaluator_.inside(foot.face, foot.u, foot.v)) continue;
-      asked.push_back(seed.face);
+      if (!contains(asked, seed.face)) asked.push_back(seed.face);
       consider(node, foot);
+      if (is_exact(node)) break;
     }
-    if (distances_[node] > kExact * neighbours_.spacing(node)) search(node, asked);
-    const double limit = kOff * neighbours_.spacing(node);
-    if (distances_[node] <= limit) return;
+    return asked;
+  }
+
+  [[noreturn]] void refuse_node(std::size_t node) const {
     std::ostringstream text;
     text << "node " << node << " (from 0) at " << shown(mesh_.points[node]) << " lies "
-         << distances_[node] << " mm off the shape; the most is " << limit
-         << " mm, a quarter of the mesh's edge length there";
+         << distances_[node] << " mm off the shape; the most is "
+         << kOff * neighbours_.spacing(node) << " mm, a quarter of the mesh's edge length there";
     refuse(text.str());
   }
 
@@ -193,6 +221,8 @@ class Placer {
   std::vector<Box> boxes_;
   std::vector<SurfacePoint> feet_;
   std::vector<double> distances_;
+  std::vector<std::size_t> doubtful_;  // nodes not found on the shape at once
+  int off_ = 0;
 };
 
 std::vector<Vec3> Placer::samples(FaceId id) {

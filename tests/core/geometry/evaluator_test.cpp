@@ -9,6 +9,8 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
@@ -232,6 +234,30 @@ TEST(Evaluator, EdgePointsLieOnTheirFaces) {
         }
       }
     }
+  }
+}
+
+// A narrow band of nine turns: the samples nearest to a point lie on other turns than it.
+TEST(Evaluator, FindsTheNearestPointOfAThread) {
+  constexpr int kAlong = 145, kAcross = 4;
+  TColgp_Array2OfPnt poles(1, kAlong, 1, kAcross);
+  for (int i = 1; i <= kAlong; ++i) {
+    const double angle = 18 * M_PI * (i - 1) / (kAlong - 1);
+    for (int j = 1; j <= kAcross; ++j) {
+      poles.SetValue(
+          i, j,
+          gp_Pnt(3 * std::cos(angle), 3 * std::sin(angle), angle / (2 * M_PI) + 0.04 * (j - 1)));
+    }
+  }
+  const Model model = model_of(
+      BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(poles).Surface(), 1e-7).Face());
+  Evaluator evaluator(model);
+  const Face& face = model.face(FaceId(0));
+  for (int k = 1; k < 200; ++k) {
+    const double u = face.u_min + (face.u_max - face.u_min) * k / 200;
+    const double v = face.v_min + (face.v_max - face.v_min) * (k % 7 + 0.5) / 7;
+    const Vec3 p = evaluator.frame(FaceId(0), u, v).xyz;
+    EXPECT_LT((evaluator.closest(FaceId(0), p).xyz - p).norm(), 1e-6) << u << ' ' << v;
   }
 }
 
