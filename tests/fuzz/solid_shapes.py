@@ -129,6 +129,22 @@ def loft(rng: Random) -> "Part.Shape":
     return Part.makeLoft(wires, True, rng.random() < 0.5)
 
 
+def _is_wrung(curve: "Part.BSplineCurve") -> bool:
+    """Whether the plane in which the curve bends turns by 30 degrees in a thousandth of its length:
+    the kernel's pipes are torn there, and its own integrals and triangles of them fail."""
+    first, last = curve.FirstParameter, curve.LastParameter
+    turned = None
+    for i in range(1, 1000):
+        t = first + (last - first) * i / 1000.0
+        across = curve.getDN(t, 1).cross(curve.getDN(t, 2))
+        if across.Length < 1e-12:
+            continue
+        if turned is not None and across.getAngle(turned) > math.radians(30.0):
+            return True
+        turned = across
+    return False
+
+
 def sweep(rng: Random) -> "Part.Shape":
     """A pipe along a spline; the section is a circle or a polygon."""
     curve = Part.BSplineCurve()
@@ -142,6 +158,8 @@ def sweep(rng: Random) -> "Part.Shape":
                              * i / 64.0) for i in range(65)]
     if max(bends) * section.BoundBox.DiagonalLength / 2.0 > 0.7:
         raise ValueError("the pipe would run into itself")
+    if _is_wrung(curve):
+        raise ValueError("the pipe would be wrung off")
     return Part.Wire(curve.toShape()).makePipeShell([section], True, rng.random() < 0.5)
 
 

@@ -1,6 +1,7 @@
 """Meshes one random solid and says what is wrong with the mesh."""
 from __future__ import annotations
 
+import os
 import time
 from random import Random
 from typing import Any, Dict, List
@@ -13,12 +14,17 @@ import solid_shapes
 from mesh_checks import Elements, conformity_faults, folds
 
 KINDS = tuple(solid_shapes.MAKERS)
+# Chords that turn by 30 degrees cut 4.5 % off a circle's area, and off a torus twice that.
+AREA_OFF, VOLUME_OFF = 0.05, 0.09
 
 
 def run(seed: int, number: int) -> Dict[str, Any]:
     """A row of the table: never raises for a fault of the mesher."""
-    rng = Random(f"{seed} solid {number}")
     kind = KINDS[number % len(KINDS)]
+    name = f"{seed} solid {number}"
+    while not kernel_survives(kind, name):
+        name += " again"
+    rng = Random(name)
     shape = solid_shapes.make(kind, rng)
     size = shape.BoundBox.DiagonalLength / rng.uniform(15.0, 40.0)
     job = {"size": size, "first_height": size / rng.uniform(3.0, 12.0),
@@ -48,6 +54,16 @@ def run(seed: int, number: int) -> Dict[str, Any]:
     return row
 
 
+def kernel_survives(kind: str, name: str) -> bool:
+    """Whether the shape can be made at all: OpenCASCADE crashes over some, and takes the process
+    with it."""
+    child = os.fork()
+    if child == 0:
+        solid_shapes.make(kind, Random(name))
+        os._exit(0)
+    return os.waitpid(child, 0)[1] == 0
+
+
 def faults_of(shape, model, mesh, size: float) -> List[str]:
     """A face far smaller than an element may be lost in a patch, but not where it is one alone."""
     elements = Elements(mesh.nodes, mesh.quads, mesh.triangles)
@@ -55,7 +71,8 @@ def faults_of(shape, model, mesh, size: float) -> List[str]:
     if mesh.figures["inverted"]:
         faults.append(f"{mesh.figures['inverted']} inverted")
     faces = np.concatenate([mesh.face_of_quad, mesh.face_of_triangle])
-    folded = folds(elements, faces, cad_facts.tips(shape))
+    folded = folds(elements, faces, cad_facts.tips(shape),
+                   lambda face, points: cad_facts.turn_under(shape.Faces[face - 1], points))
     if folded:
         faults.append(f"{folded} folds")
     missing = set(range(1, model.face_count + 1)) - set(faces.tolist())
@@ -66,9 +83,9 @@ def faults_of(shape, model, mesh, size: float) -> List[str]:
     if elements.euler() != cad_facts.euler_number(shape):
         faults.append(f"Euler number {elements.euler()} instead of "
                       f"{cad_facts.euler_number(shape)}")
-    for what, got, wanted in (("area", elements.area(), shape.Area),
-                              ("volume", elements.volume(), shape.Volume)):
-        if abs(got / wanted - 1.0) > 0.05:
+    for what, got, wanted, most in (("area", elements.area(), shape.Area, AREA_OFF),
+                                    ("volume", elements.volume(), shape.Volume, VOLUME_OFF)):
+        if abs(got / wanted - 1.0) > most:
             faults.append(f"{what} off by {100.0 * (got / wanted - 1.0):.2f} %")
     return faults + [entry["text"] for entry in mesh.diagnostics if entry["severity"] == "error"]
 

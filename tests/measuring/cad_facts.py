@@ -3,6 +3,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from freecad_part import FreeCAD
+
+Vector = FreeCAD.Vector
+
 
 def euler_number(shape) -> int:
     """Of the union of the shape's faces, each a disc with holes; seams count."""
@@ -41,3 +45,18 @@ def tips(shape) -> np.ndarray:
     """Points of degenerate edges: cone tips and poles, (n, 3)."""
     points = [edge.Vertexes[0].Point for edge in shape.Edges if edge.Degenerated]
     return np.array(points, float).reshape(-1, 3)
+
+
+def turn_under(face, points) -> float:
+    """The largest angle [deg] between two of the surface's normals under some points on the face,
+    sampled over their box of parameters."""
+    surface = face.Surface
+    uv = np.array([surface.parameter(Vector(*point)) for point in points])
+    for k, period in enumerate((surface.UPeriod() if surface.isUPeriodic() else 0.0,
+                                surface.VPeriod() if surface.isVPeriodic() else 0.0)):
+        if period:
+            uv[:, k] -= period * np.round((uv[:, k] - uv[0, k]) / period)
+    low, high = uv.min(axis=0), uv.max(axis=0)
+    normals = np.array([surface.normal(u, v) for u in np.linspace(low[0], high[0], 13)
+                        for v in np.linspace(low[1], high[1], 13)])
+    return float(np.degrees(np.arccos(np.clip((normals @ normals.T).min(), -1.0, 1.0))))

@@ -1,7 +1,7 @@
 """Measurements of a finished mesh that take nothing from the mesher's word."""
 from __future__ import annotations
 
-from typing import List, Optional, Tuple
+from typing import Callable, List, Optional, Tuple
 
 import numpy as np
 
@@ -111,9 +111,11 @@ def conformity_faults(elements: Elements, closed: Optional[bool] = None) -> List
     return faults
 
 
-def folds(elements: Elements, faces: np.ndarray, tips: np.ndarray) -> int:
-    """Edges whose two elements, of one CAD face, look more than 120 degrees apart; not those that
-    end in one of the `tips`, (n, 3), where a surface may be as sharp as that."""
+def folds(elements: Elements, faces: np.ndarray, tips: np.ndarray,
+          turn_under: Callable[[int, np.ndarray], float]) -> int:
+    """Edges whose two elements, of one CAD face, look more than 120 degrees apart, and 60 more than
+    the surface turns under them: turn_under(face, points) [deg]. Those that end in one of the
+    `tips`, (n, 3), where a surface may be as sharp as that, do not count."""
     at_tip = np.zeros(len(elements.nodes), bool)
     for tip in tips:
         at_tip |= np.linalg.norm(elements.nodes - tip, axis=1) < 1e-6
@@ -127,6 +129,10 @@ def folds(elements: Elements, faces: np.ndarray, tips: np.ndarray) -> int:
     count = 0
     for (a, b), one in owner_of.items():
         other = owner_of.get((b, a)) if a < b else None
-        if other is not None and faces[one] == faces[other] and not (at_tip[a] or at_tip[b]):
-            count += bool(normals[one] @ normals[other] < -0.5)
-    return count
+        if other is None or faces[one] != faces[other] or at_tip[a] or at_tip[b]:
+            continue
+        cosine = float(normals[one] @ normals[other])
+        if cosine < -0.5:
+            under = turn_under(int(faces[one]), np.vstack([p[one], p[other]]))
+            count += np.degrees(np.arccos(max(-1.0, cosine))) - under > 60.0
+    return int(count)

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "boundary/edge_creases.h"
+#include "boundary/edge_overshoot.h"
 #include "boundary/edge_spacing.h"
 
 namespace advlayers {
@@ -77,20 +78,10 @@ class Discretizer {
     for (std::size_t i = 0; i < model_.edges().size(); ++i) {
       const Edge& edge = model_.edges()[i];
       if (sides_[i].empty() || edge.degenerate) continue;
-      std::vector<double> ends{edge.first};
-      // A kink turns no matter how short the segments: it takes a node.
-      const double sharp = 0.5 * limits_.curve_angle;
-      for (const double t : evaluator_.edge_kinks(EdgeId(i), sharp)) ends.push_back(t);
-      // So does a fold of a face beside the edge.
-      const double least = kSharpFold * std::min(limits_.size, edge.length);
-      for (const double t : edge_creases(evaluator_, EdgeId(i), sides_[i], least)) {
-        ends.push_back(t);
-      }
-      std::sort(ends.begin() + 1, ends.end());
-      ends.push_back(edge.last);
       std::vector<FaceId> beside;
       for (const EdgeSpacing::Side& side : sides_[i]) beside.push_back(side.face);
       limits_.size = kSizeTolerance * sizes_.of_edge(EdgeId(i), beside);
+      const std::vector<double> ends = stretch_ends(EdgeId(i));
       const int first = edge.start.valid() ? edge.start.value : joint_count_++;
       const int last = edge.end.valid() ? edge.end.value : closed_at(edge, first);
       int from = first;
@@ -108,6 +99,23 @@ class Discretizer {
       }
       fix_segments(EdgeId(i));
     }
+  }
+
+  // The edge's ends and what takes a node between them: kinks of the curve, which turn no matter
+  // how short the segments, and folds of a face beside it.
+  std::vector<double> stretch_ends(EdgeId id) {
+    const EdgeExtent extent = extent_without_overshoot(evaluator_, id);
+    std::vector<double> found = evaluator_.edge_kinks(id, 0.5 * limits_.curve_angle);
+    const double least = kSharpFold * std::min(limits_.size, model_.edge(id).length);
+    for (const double t : edge_creases(evaluator_, id, sides_[id.index()], least)) {
+      found.push_back(t);
+    }
+    std::vector<double> ends{extent.first, extent.last};
+    for (const double t : found) {
+      if (t > extent.first && t < extent.last) ends.push_back(t);
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
   }
 
   // A number of segments of the whole edge is shared out by the lengths of its stretches.

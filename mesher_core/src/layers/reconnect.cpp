@@ -42,6 +42,7 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
   const Corner old = corner(mesh, v);
   double allowed = std::cos(limits.deviation * kDegree);
   double allowed_at_corner = std::cos(limits.at_corner * kDegree), at_corner = 1.0;
+  double allowed_turn = std::cos(limits.edge_turn * kDegree), turn = 1.0;
   double least = INFINITY, largest = 0.0, deviation = 1.0, fold = 1.0;
   least_tangent = INFINITY;
   Vec3 last = Vec3::Zero();
@@ -49,6 +50,7 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
     const Corner p = corner(mesh, mesh.to(o));
     const Corner q = corner(mesh, mesh.to(mesh.next(o)));
     allowed = std::min(allowed, deviation_cosine(old, p, q));
+    allowed_turn = std::min(allowed_turn, old.normal.dot(p.normal));
     allowed_at_corner = std::min(allowed_at_corner, corner_cosine(old, p, q));
     if (mesh.to(mesh.next(o)) == mesh.to(h)) break;
     least_tangent = std::min(least_tangent, settled(min_angle_tangent(w, p, q)));
@@ -58,11 +60,13 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
     largest = std::max(largest, area2);
     deviation = std::min(deviation, deviation_cosine(w, p, q));
     at_corner = std::min(at_corner, corner_cosine(w, p, q));
+    turn = std::min(turn, w.normal.dot(p.normal));
     const Vec3 normal = (p.xyz - w.xyz).cross(q.xyz - w.xyz);
     if (last != Vec3::Zero()) fold = std::min(fold, dihedral_cosine(last, normal));
     last = normal;
   }
   if (at_corner < allowed_at_corner - 1e-12) return Veto::kLeavesSurface;
+  if (turn < allowed_turn - 1e-12) return Veto::kLeavesSurface;
   if (removal == Removal::kForced) return Veto::kNone;
   if (largest > limits.area_ratio * least) return Veto::kAreaRatio;
   if (deviation < allowed - 1e-12) return Veto::kLeavesSurface;

@@ -17,6 +17,7 @@ inline void count(VetoTally& tally, Veto veto) { ++tally[static_cast<std::size_t
 struct ReconnectLimits {
   double deviation = 30.0;  // [deg] a triangle's normal against the surface's
   double at_corner = 50.0;  // [deg] against the surface's at a corner
+  double edge_turn = 40.0;  // [deg] of the surface along an edge made by a collapse
   double dihedral = 40.0;   // [deg] between neighbours made by a collapse
   double area_ratio = 1e8;  // between triangles made by a collapse
 };

@@ -9,7 +9,7 @@ namespace {
 
 // The corners' normals decide where all agree with the element by this cosine; the projection of
 // the centroid is spared then.
-constexpr double kClearlyUpright = 0.3;
+constexpr double kClearlyUpright = 0.55;
 constexpr double kBent = -0.2;  // cosine at a corner
 constexpr int kTurnedOver = 4, kFolded = 2;
 

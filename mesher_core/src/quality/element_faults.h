@@ -24,8 +24,9 @@ struct FaceCorners {
 };
 FaceCorners corners_around(const SurfaceMesh& mesh, FaceH face);
 
-// An element that leans more than 75 degrees from the surface makes a fold with its neighbours.
-inline constexpr double kSteep = 0.26;
+// Two elements that lean less than 60 degrees from a surface that does not turn make no fold of
+// 120.
+inline constexpr double kSteep = 0.5;
 
 // The cosine between the element's normal and the surface's at the foot of its centroid, or 1 where
 // the corners' normals tell that it is upright; -1 where it has no area.

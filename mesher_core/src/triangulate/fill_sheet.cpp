@@ -37,6 +37,7 @@ constexpr double kLongEnough = 0.8;
 // Height over a boundary edge, as a share of the edge.
 constexpr double kHugging = 0.02;
 constexpr double kSagittas = 3;    // and of its sagitta
+constexpr double kMostWide = 1e4;  // points that halving wide edges may make on any face
 constexpr int kMostDivisions = 8;  // per triangle, on average
 
 double local_size(const LiftedTriangulation& sheet, Side s) {
@@ -88,12 +89,15 @@ bool spans_too_much(LiftedTriangulation& sheet, Side s) {
          std::abs(by_ends - by_middle) > kMetricMismatch * std::max(by_ends, by_middle);
 }
 
-// Halves such edges. The work is bounded by the halvings that the smallest split allows; each edge
-// is looked at again only after it changed.
+// Halves such edges; each is looked at again only after it changed. A surface that is torn, and
+// jumps from place to place as the parameters hardly change, would be halved for ever: no more
+// points are made than edges of the least length leave room for.
 void split_wide_edges(LiftedTriangulation& sheet, const CancelFlag& cancel) {
   std::vector<int> pending(sheet.mesh().triangles().size());
   std::iota(pending.begin(), pending.end(), 0);
-  while (!pending.empty()) {
+  const double least = sheet.least_size();
+  const double most = sheet.mesh().point_count() + kMostWide + sheet.area() / (least * least);
+  while (!pending.empty() && sheet.mesh().point_count() < most) {
     cancel.check();
     const int t = pending.back();
     pending.pop_back();

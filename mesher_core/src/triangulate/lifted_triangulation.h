@@ -70,6 +70,7 @@ class LiftedTriangulation {
   LiftedVertex evaluate(const Vec2& p);
   double wanted_size(const Vec2& p) { return target_.at(evaluate(p).point); }  // ungraded [mm]
   double least_size() const { return target_.least(sheet_.face); }             // ever wanted [mm]
+  double area() const { return evaluator_->model().face(sheet_.face).area; }   // [mm^2]
   void mark_crease(int v) { vertices_[static_cast<std::size_t>(v)].crease = true; }
 
   // Inserts a point inside triangle t, or on side s, and flips edges until the triangulation is

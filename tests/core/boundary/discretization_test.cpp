@@ -13,6 +13,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -297,6 +298,36 @@ TEST(Discretization, KinksOfACurveTakeANode) {
     double nearest = 1e9;
     for (const BoundaryNode& n : d.nodes) nearest = std::min(nearest, (n.xyz - corner).norm());
     EXPECT_LT(nearest, 1e-12);
+  }
+}
+
+// Intersection curves of faces that touch run out beyond the vertex at times, and back beside
+// themselves within the edge's tolerance.
+TEST(Discretization, AnOvershootBeyondAVertexTakesNoNodes) {
+  TColgp_Array1OfPnt poles(1, 4);
+  poles(1) = gp_Pnt(0, 0, 0);
+  poles(2) = gp_Pnt(-0.3, 5e-4, 0);
+  poles(3) = gp_Pnt(1, 0, 0);
+  poles(4) = gp_Pnt(4, 0, 0);
+  const Handle(Geom_Curve) curve = new Geom_BezierCurve(poles);
+  for (const bool reversed : {false, true}) {
+    const Handle(Geom_Curve) way = reversed ? curve->Reversed() : curve;
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(way).Edge();
+    BRep_Builder().UpdateEdge(edge, 1e-3);
+    const gp_Pnt begin(0, 0, 0), end(4, 0, 0), apex(2, 3, 0);
+    const TopoDS_Edge back = BRepBuilderAPI_MakeEdge(end, apex).Edge();
+    const TopoDS_Edge home = BRepBuilderAPI_MakeEdge(apex, begin).Edge();
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(edge, back, home).Wire();
+    const Model model = model_of(BRepBuilderAPI_MakeFace(wire, true).Face());
+    const Discretization boundary = cut(model, settings_of(1.0));
+    for (const BoundaryNode& node : boundary.nodes) EXPECT_GT(node.xyz.x(), -1e-9);
+    for (const EdgeNodes& nodes : boundary.edges) {
+      for (std::size_t k = 1; k < nodes.nodes.size(); ++k) {
+        const Vec3 segment = boundary.nodes[nodes.nodes[k].index()].xyz -
+                             boundary.nodes[nodes.nodes[k - 1].index()].xyz;
+        EXPECT_GT(segment.norm(), 0.5);
+      }
+    }
   }
 }
 
