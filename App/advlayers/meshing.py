@@ -5,6 +5,7 @@ import queue
 import threading
 from typing import Any, Callable, Dict, List, Mapping, Optional
 
+from advlayers import collector
 from advlayers.errors import Stopped
 
 
@@ -62,6 +63,7 @@ class Run:
         self._error: Optional[BaseException] = None
 
     def start(self) -> None:
+        collector.keep_out_of_threads()
         self._thread.start()
 
     @property

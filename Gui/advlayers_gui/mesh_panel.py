@@ -38,7 +38,8 @@ class _Canvas(Canvas):
     def busy(self) -> bool:
         return self._scene.busy
 
-    def prepare(self, mesh: ElementMesh):
+    @staticmethod
+    def prepare(mesh: ElementMesh):
         return growing_pieces(mesh)
 
     def draw(self, picture) -> None:
@@ -113,6 +114,7 @@ class MeshPanel(TaskPanel):
 
     def _clean_up(self) -> None:
         self._run.abandon()
+        self._scene.clear()
         self._pick_bar.picks.end()
         for form in self._forms:
             form.release()

@@ -90,8 +90,10 @@ class Canvas:
 
     busy = False  # not ready for the next picture
 
-    def prepare(self, mesh: ElementMesh) -> Iterable[Any]:
-        """Makes a picture, in pieces between which the run may be stopped; in the worker."""
+    @staticmethod
+    def prepare(mesh: ElementMesh) -> Iterable[Any]:
+        """Makes a picture, in pieces between which the run may be stopped; in the worker, which is
+        to hold nothing of the window: it may be the last to let go."""
         raise NotImplementedError
 
     def draw(self, picture: List[Any]) -> None:
@@ -109,7 +111,6 @@ class MeshTask:
                  on_stopped: Callable[[], None],
                  canvas: Optional[Canvas] = None) -> None:
         core = load_core()
-        self._task = task
         self._on_progress, self._canvas = on_progress, canvas
         self._on_done, self._on_failed, self._on_stopped = on_done, on_failed, on_stopped
         self.progress = Progress()
@@ -117,7 +118,8 @@ class MeshTask:
         self._pictures = _Pictures(canvas.prepare) if shown else None
         self._drawing_since: Optional[float] = None
         self._run = Run(lambda: task.make_mesher(core),
-                        self._pictures.offer if self._pictures else None, self._finish)
+                        self._pictures.offer if self._pictures else None,
+                        lambda mesh, check: _outcome(task, mesh, check))
         self._cancelled = False
         self._timer = QtCore.QTimer()
         self._timer.setInterval(_POLL)
@@ -147,12 +149,6 @@ class MeshTask:
         self._run.cancel()
         if self._pictures is not None:
             self._pictures.give_up()
-
-    def _finish(self, mesh, check) -> Outcome:
-        data = mesh_data.of_core(self._task.label, mesh)
-        check()
-        data.prepare(check)  # better here than in the window
-        return Outcome(self._task, mesh, self._task.make_fem_mesh(mesh, check), data)
 
     def _look(self) -> None:
         running = self._run.running  # asked first, so that no report after it is missed
@@ -187,6 +183,14 @@ class MeshTask:
             self._on_failed(str(error) or type(error).__name__)
         else:
             self._on_done(outcome)
+
+
+def _outcome(task: layer_mesh.Task, mesh, check: Callable[[], None]) -> Outcome:
+    """In the worker."""
+    data = mesh_data.of_core(task.label, mesh)
+    check()
+    data.prepare(check)  # better here than in the window
+    return Outcome(task, mesh, task.make_fem_mesh(mesh, check), data)
 
 
 class _Pictures:
