@@ -11,6 +11,8 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
+import FreeCAD
+
 from advlayers import (
     analysis, cad_input, controls, faceted, fem_mesh, freshness, initial_mesh, mesh_data,
     mesh_history, migrations)
@@ -94,8 +96,7 @@ class LayerMesh(Stateless):
     def execute(self, document_object) -> None:
         refresh_state(document_object)
         if document_object.AutoUpdate and document_object.State in (NOT_MESHED, OUT_OF_DATE):
-            # Silently: FreeCAD may crash where a window lives on during a recompute.
-            update(document_object, watch=lambda _reports: None)
+            _update_by_itself(document_object)
 
     def onDocumentRestored(self, document_object) -> None:
         add_properties(document_object)
@@ -206,6 +207,17 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
               on_mesh=lambda mesh, check: (mesh, task.make_fem_mesh(mesh, check)))
     mesh, fem = run.finish(watch or window_watch.get())
     set_mesh(document_object, mesh, fem, task.made_from)
+
+
+def _update_by_itself(document_object) -> None:
+    """Within a recompute. A window is not kept waiting: it has the mesh a while later. Raises what
+    update() does."""
+    if FreeCAD.GuiUp:
+        from advlayers_gui import automatic_update
+
+        automatic_update.ask(document_object, prepare(document_object))
+    else:
+        update(document_object)
 
 
 def set_mesh(document_object, mesh, fem, origin: MadeFrom,
@@ -324,30 +336,38 @@ def refresh_state(document_object) -> None:
 
 
 def _state(document_object) -> str:
-    if document_object.MeshedSettings and _fits(document_object):
+    if document_object.MeshedSettings and _as_now(
+            document_object, document_object.MeshedSettings, document_object.MeshedShape,
+            document_object.MeshedInitialMesh):
         return UP_TO_DATE
     if reference_problems(document_object):
         return LOST_REFERENCES
     return OUT_OF_DATE if document_object.MeshedSettings else NOT_MESHED
 
 
-def _fits(document_object) -> bool:
+def fits(document_object, origin: MadeFrom) -> bool:
+    """Whether settings and shape are still those that a mesh was made from."""
+    return _as_now(document_object, origin.settings_text, origin.points, origin.initial_points)
+
+
+def _as_now(document_object, settings: str, points: Sequence[float],
+            initial_points: Sequence[float]) -> bool:
     if document_object.Part is None:
         return False
     try:
         now = freshness.settings_text(raw_settings(document_object))
     except InputError:
         return False
-    if not freshness.same_settings(document_object.MeshedSettings, now):
+    if not freshness.same_settings(settings, now):
         return False
     shape = cad_input.global_shape(document_object.Part)
     if shape.isNull():
         return False
     diagonal = shape.BoundBox.DiagonalLength
     return freshness.same_points(
-        document_object.MeshedShape, freshness.shape_points(shape), diagonal
+        points, freshness.shape_points(shape), diagonal
     ) and freshness.same_points(
-        document_object.MeshedInitialMesh,
+        initial_points,
         initial_mesh.fingerprint(document_object.InitialMesh), diagonal)
 
 

@@ -107,6 +107,8 @@ class MeshPanel(TaskPanel):
             with _busy_pointer():
                 self._outcome.store(self._object)
         self.leave()
+        if self._object.AutoUpdate:
+            self._object.touch()
         meshed = self._object.FemMesh.NodeCount > 0
         self._object.Part.ViewObject.Visibility = not meshed
         self._object.ViewObject.Visibility = True

@@ -16,17 +16,24 @@ from advlayers_gui.command import TITLE
 _DELAY = 500  # [ms] that a run may take without the window
 
 
-@contextlib.contextmanager
-def shown_progress(label: str) -> Iterator[None]:
-    """While the block runs, layer_mesh.update() shows its progress. Raises Stopped where the user
-    stops it."""
+def make_window(label: str, modality):
+    """Comes up by itself when the run takes longer than a moment."""
     window = QtGui.QProgressDialog(FreeCADGui.getMainWindow())
     window.setWindowTitle(TITLE)
     window.setLabelText(label)
     window.setCancelButtonText(tr("Stop"))
     window.setRange(0, 0)
     window.setMinimumDuration(_DELAY)
-    window.setWindowModality(QtCore.Qt.ApplicationModal)
+    window.setWindowModality(modality)
+    window.setAttribute(QtCore.Qt.WA_ShowWithoutActivating)
+    return window
+
+
+@contextlib.contextmanager
+def shown_progress(label: str) -> Iterator[None]:
+    """While the block runs, layer_mesh.update() shows its progress. Raises Stopped where the user
+    stops it."""
+    window = make_window(label, QtCore.Qt.ApplicationModal)
     token = window_watch.set(_Watch(window, label))
     try:
         yield

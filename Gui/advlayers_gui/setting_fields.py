@@ -1,6 +1,7 @@
 """Widgets for settings of the table: one kind of field for each kind of setting."""
 from __future__ import annotations
 
+import contextlib
 from typing import Any, Callable, Iterable, List, Optional
 
 import FreeCADGui
@@ -73,7 +74,8 @@ class QuantityField(Field):
         """FreeCAD would delete its own widget without telling Python, which would take the next
         one at its address for it: so Python is made the owner, and deletes it."""
         if self.widget is not None:
-            self.widget.setParent(None)
+            with contextlib.suppress(RuntimeError):  # the whole dialog is being deleted
+                self.widget.setParent(None)
         super().release()
 
     def bind(self, document_object) -> None:

@@ -35,6 +35,8 @@ class TaskPanel:
         self._left = False
         self.form = QtGui.QWidget()
         self.form.setWindowIcon(QtGui.QIcon(document_object.ViewObject.Proxy.getIcon()))
+        # Control.closeDialog() asks nobody.
+        self.form.destroyed.connect(lambda *_form: self.leave())
 
     # --- what FreeCAD calls -------------------------------------------------------------------
 

@@ -104,7 +104,8 @@ def test_a_mesh_may_update_itself(opened, box):
     quads = opened.QuadCount
     box.Length = 60
     box.Document.recompute()
-    assert opened.State == layer_mesh.UP_TO_DATE and opened.QuadCount > quads
+    wait_for(lambda: opened.State == layer_mesh.UP_TO_DATE)
+    assert opened.QuadCount > quads
 
 
 def test_an_expression_rules_a_field(opened, box):
@@ -249,6 +250,21 @@ def test_cancel_while_meshing_closes_at_once(box):
         assert state_of(box.Document) ^ before == set()
         assert made.FemMesh.Nodes == nodes
     assert min(took) < 0.5, took
+
+
+def test_a_macro_closes_the_panel_while_meshing(opened, capsys):
+    panel = panel_of(opened)
+    make_fine()
+    click("AdvLayersMeshButton")
+    events(0.2)
+    assert panel.meshing
+    FreeCADGui.Control.closeDialog()
+    events(0.2)
+    assert not panel.meshing
+    FreeCADGui.getDocument(opened.Document.Name).resetEdit()
+    select((opened.Part, ""))  # the panel's gate would refuse it
+    assert FreeCADGui.Selection.getSelection() == [opened.Part]
+    assert "Traceback" not in capsys.readouterr().err
 
 
 def test_closing_the_document_while_meshing(opened):

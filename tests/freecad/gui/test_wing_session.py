@@ -10,7 +10,7 @@ from PySide import QtGui
 from advlayers import layer_mesh
 from window import (
     child, click, edit, errors_since, events, panel_of, press_cancel, press_ok,
-    report_lines, run, screenshot, select, wait_for)
+    report_text, run, screenshot, select, wait_for)
 
 # Half thickness of a NACA 0018 section over its chord; the last term closes the trailing edge.
 _THICKNESS = ((0.5, 0.2969), (1.0, -0.1260), (2.0, -0.3516), (3.0, 0.2843), (4.0, -0.1036))
@@ -74,7 +74,7 @@ def watch_the_run(panel):
 
 def test_a_session_with_a_wing(wing, tmp_path, monkeypatch):
     FreeCADGui.activateWorkbench("AdvancingLayersWorkbench")
-    document, before = wing.Document, len(report_lines())
+    document, before = wing.Document, len(report_text())
     select((wing, ""))
     screenshot("wing-selected.png")
     run("LayerMesh")

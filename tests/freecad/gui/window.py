@@ -145,14 +145,14 @@ def answer_message(seen):
     QtCore.QTimer.singleShot(50, close)
 
 
-def report_lines():
+def report_text():
     """What the report view shows."""
     view = FreeCADGui.getMainWindow().findChild(QtGui.QTextEdit, "Report view")
-    return view.toPlainText().splitlines()
+    return view.toPlainText()
 
 
-def errors_since(count):
-    """Lines of the report view after the first `count` that tell of trouble."""
+def errors_since(length):
+    """Lines of the report view after so many characters that tell of trouble."""
     words = ("error", "exception", "traceback", "advancing layers:")
-    return [line for line in report_lines()[count:]
+    return [line for line in report_text()[length:].splitlines()
             if any(word in line.lower() for word in words)]
