@@ -22,7 +22,7 @@ from advlayers.mesh_data import MeshData
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import (
     HIDDEN, READ_ONLY, add_setting, from_property, plain_values, property_name, to_property)
-from advlayers.proxy import Stateless, attach_view
+from advlayers.proxy import Stateless, attach_view, prepare_view
 from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS, Setting
@@ -89,8 +89,10 @@ class LayerMesh(Stateless):
         mesh_history.watch(document_object)
 
     def onChanged(self, document_object, name: str) -> None:
-        complete = hasattr(document_object, "Picked")
-        if name in ("Faces", "Part") and complete and not document_object.Document.Restoring:
+        if document_object.Document.Restoring:
+            if name == "SchemaVersion":  # one that comes before the mesh itself
+                prepare_view(document_object)
+        elif name in ("Faces", "Part") and hasattr(document_object, "Picked"):
             _remember_faces(document_object)
 
     def execute(self, document_object) -> None:

@@ -30,3 +30,11 @@ def attach_view(document_object) -> None:
         from advlayers_gui import view_provider
 
         view_provider.attach_to(document_object)
+
+
+def prepare_view(document_object) -> None:
+    """Before a mesh is read from a file: it is drawn as soon as it is there."""
+    if FreeCAD.GuiUp:
+        from advlayers_gui import view_provider
+
+        view_provider.keep_all_faces(document_object)

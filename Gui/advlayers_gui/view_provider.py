@@ -135,7 +135,7 @@ def attach_to(document_object) -> None:
     if not isinstance(view_object.Proxy, (LayerMeshView, ControlView)):
         _give_provider(document_object, view_object)
     if not is_control(document_object):
-        _keep_all_faces(view_object)
+        keep_all_faces(document_object)
 
 
 def _give_provider(document_object, view_object) -> None:
@@ -150,11 +150,15 @@ def _give_provider(document_object, view_object) -> None:
         view_object.Proxy.attach(view_object)
 
 
-def _keep_all_faces(view_object) -> None:
+def keep_all_faces(document_object) -> None:
     """FreeCAD hides faces between two volumes; a surface mesh has none, and to look for them takes
-    seconds where layers make elements crowd. Only below a number of faces does it keep them all
-    without a look, so the number is the highest there is, and no one is to lower it."""
+    seconds, or minutes, where layers make elements crowd. Only below a number of faces does it keep
+    them all without a look, so the number is the highest there is, and no one is to lower it.
+
+    Not saved: FreeCAD draws the mesh when it has read the number, and the other after that."""
+    view_object = document_object.ViewObject
     for name, value in (("MaxFacesShowInner", 2**31 - 1), ("ShowInner", True)):
         if getattr(view_object, name) != value:
             setattr(view_object, name, value)
         view_object.setEditorMode(name, HIDDEN)
+        view_object.setPropertyStatus(name, "Transient")

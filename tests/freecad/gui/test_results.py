@@ -158,7 +158,7 @@ def _focus(view):
                     .getValue())
 
 
-def test_200000_elements_show_without_a_freeze(document):
+def test_200000_elements_show_without_a_freeze(document, tmp_path):
     """From Mesh to the coloured result, and through its colours, no turn of the event loop takes
     half a second. The assignment to FreeCAD's own mesh property, with OK, is not among them:
     its copy and its view are one step for FreeCAD. It does not look for inner faces, which would
@@ -195,4 +195,21 @@ def test_200000_elements_show_without_a_freeze(document):
         show()
         assert max(time.thread_time() - start, wait_for(lambda: not modes_of(made).busy)) < 0.5
     press_cancel()
-    assert view.ShowInner and view.MaxFacesShowInner > made.FemMesh.FaceCount
+    assert_no_search_for_inner_faces(made)
+    path = str(tmp_path / "large.FCStd")
+    document.saveCopy(path)
+    start = time.thread_time()
+    opened = FreeCAD.openDocument(path)
+    seconds = time.thread_time() - start
+    try:
+        print(f"opened again: {seconds:.2f} s")
+        assert seconds < 30.0  # with the search: more than 100 s
+        assert_no_search_for_inner_faces(opened.getObject(made.Name))
+    finally:
+        FreeCAD.closeDocument(opened.Name)
+
+
+def assert_no_search_for_inner_faces(mesh):
+    """FreeCAD keeps all faces without a look at each other's."""
+    assert mesh.ViewObject.ShowInner
+    assert mesh.ViewObject.MaxFacesShowInner > mesh.FemMesh.FaceCount
