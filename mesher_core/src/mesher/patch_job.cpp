@@ -31,6 +31,7 @@ void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
 
 // A first height this far from the one asked for, relative to it, is worth a warning.
 constexpr double kHeightMissed = 0.1;
+constexpr std::size_t kNamed = 3;  // walls in one warning
 
 // ": collision 3, merged 2": why columns ended, but for those that are complete.
 std::string reasons_of(const WallReport& wall) {
@@ -40,6 +41,28 @@ std::string reasons_of(const WallReport& wall) {
     text += (text.empty() ? ": " : ", ") + reason + " " + std::to_string(count);
   }
   return text;
+}
+
+// One sentence for all such walls of a patch, the worst first: a faceted arc is many edges.
+std::string missed_heights(std::vector<const WallReport*> walls) {
+  std::stable_sort(walls.begin(), walls.end(), [](const WallReport* a, const WallReport* b) {
+    return a->height_error > b->height_error;
+  });
+  double least = walls.front()->achieved_min, most = walls.front()->achieved_max, asked = 0.0;
+  for (const WallReport* wall : walls) {
+    least = std::min(least, wall->achieved_min);
+    most = std::max(most, wall->achieved_max);
+    asked += wall->first_height / static_cast<double>(walls.size());
+  }
+  std::ostringstream text;
+  for (std::size_t i = 0; i < std::min(walls.size(), kNamed); ++i) {
+    text << (i > 0 ? ", " : "") << edge_name(walls[i]->edge) << " on " << face_name(walls[i]->face);
+  }
+  if (walls.size() > kNamed) text << " and " << walls.size() - kNamed << " more";
+  text << " got first heights from " << least << " to " << most << " mm, off those asked for ("
+       << asked << " mm on average) by up to " << std::lround(100.0 * walls.front()->height_error)
+       << " %";
+  return text.str();
 }
 
 }  // namespace
@@ -272,6 +295,7 @@ void PatchJob::count_elements(const CancelFlag& cancel) {
 // A wall that got fewer layers than its number, none that could be measured, or layers of another
 // height, says so.
 void PatchJob::judge_walls() {
+  std::vector<const WallReport*> missed;
   for (const WallReport& wall : wall_reports_) {
     const std::string name = edge_name(wall.edge) + " on " + face_name(wall.face) + " got ";
     const bool none = wall.achieved_max <= 0.0 && !(wall.layers > 0);
@@ -281,12 +305,10 @@ void PatchJob::judge_walls() {
       complain(Severity::kWarning, none ? "wall-without-layers" : "wall-short-of-layers",
                name + text + reasons_of(wall));
     }
-    if (wall.height_error <= kHeightMissed) continue;
-    std::ostringstream text;
-    text << name << "first heights from " << wall.achieved_min << " to " << wall.achieved_max
-         << " mm, off those asked for (" << wall.first_height << " mm on average) by up to "
-         << std::lround(100.0 * wall.height_error) << " %";
-    complain(Severity::kWarning, "wall-height-missed", text.str());
+    if (wall.height_error > kHeightMissed) missed.push_back(&wall);
+  }
+  if (!missed.empty()) {
+    complain(Severity::kWarning, "wall-height-missed", missed_heights(std::move(missed)));
   }
 }
 

@@ -21,6 +21,25 @@ void replace(const Model& model, std::vector<EdgeId>& edges) {
   edges = std::move(replaced);
 }
 
+// The same text, with every "Edge7" replaced by what `name` makes of it.
+template <class Name>
+std::string renamed(const std::string& text, const Name& name) {
+  const std::string kind = "Edge";
+  std::string result;
+  std::size_t done = 0;
+  for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind, done)) {
+    const std::size_t digits = at + kind.size();
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", digits), text.size());
+    result += text.substr(done, at - done);
+    // A number too long for an edge is no edge's.
+    const bool number = end > digits && end - digits < 10;
+    result += number ? edge_name(name(EdgeId(std::stoi(text.substr(digits, end - digits)) - 1)))
+                     : text.substr(at, end - at);
+    done = end;
+  }
+  return result + text.substr(done);
+}
+
 }  // namespace
 
 Settings in_edges_of(const Model& model, Settings settings) {
@@ -47,10 +66,12 @@ void name_given_edges(const Model& model, MeshResult& result) {
       if (!name[piece.index()].valid()) name[piece.index()] = EdgeId(e);
     }
   }
-  for (WallReport& wall : result.walls) {
-    const bool given = wall.edge.index() < model.given_edges();
-    if (!given && name[wall.edge.index()].valid()) wall.edge = name[wall.edge.index()];
-  }
+  const auto given_name = [&](EdgeId edge) {
+    const bool piece = edge.index() >= model.given_edges() && edge.index() < name.size();
+    return piece && name[edge.index()].valid() ? name[edge.index()] : edge;
+  };
+  for (WallReport& wall : result.walls) wall.edge = given_name(wall.edge);
+  for (Diagnostic& said : result.diagnostics) said.text = renamed(said.text, given_name);
 }
 
 }  // namespace advlayers

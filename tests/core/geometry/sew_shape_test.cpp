@@ -137,6 +137,17 @@ TEST(Sewing, ALongEdgeIsAllItsPieces) {
   }
   EXPECT_NEAR(covered, 10.0, 0.01);
   for (const WallReport& wall : mesh.walls) EXPECT_LT(wall.edge.index(), model.given_edges());
+
+  // What is said of a piece names an edge that the given shape has.
+  ASSERT_GT(model.edges().size(), model.given_edges());
+  settings.walls[0].layers = 60;
+  std::size_t told = 0;
+  for (const Diagnostic& d : mesh_of(model, settings).diagnostics) {
+    if (d.code != "wall-short-of-layers") continue;
+    ++told;
+    EXPECT_LE(std::stoul(d.text.substr(4)), model.given_edges()) << d.text;
+  }
+  EXPECT_EQ(told, 5u);  // two pieces between two faces, and one of one face
 }
 
 TEST(Sewing, JoinsThreeFacesAtOneEdge) {
