@@ -17,6 +17,7 @@
 #include "mesher/patch_plan.h"
 #include "mesher/run_notes.h"
 #include "mesher/sewn_edges.h"
+#include "mesher/small_parts.h"
 #include "mesher/tight_faces.h"
 #include "sizing/initial_nodes.h"
 
@@ -280,13 +281,17 @@ MeshResult Mesher::Impl::finish() {
     const auto& walls = job->wall_reports();
     result.walls.insert(result.walls.end(), walls.begin(), walls.end());
   }
-  name_given_edges(model, result);
+  std::vector<FaceId> faces;
+  for (const auto& job : jobs) faces.insert(faces.end(), job->faces().begin(), job->faces().end());
+  std::sort(faces.begin(), faces.end());
+  note_small_parts(model, settings, faces, result.diagnostics);
   note_sewing(model, result.diagnostics);
   note_initial_mesh(settings, jobs, result.diagnostics);
   note_idle_walls(settings, jobs, result.diagnostics);
   for (const auto* notes : {&partings, &boundary.notes}) {
     result.diagnostics.insert(result.diagnostics.end(), notes->begin(), notes->end());
   }
+  name_given_edges(model, result);
   result.figures = counts.figures(static_cast<int>(result.nodes.size()));
   return result;
 }

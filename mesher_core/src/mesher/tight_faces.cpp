@@ -1,5 +1,6 @@
 #include "mesher/tight_faces.h"
 
+#include "mesher/small_parts.h"
 #include "sizing/size_field.h"
 
 namespace advlayers {
@@ -8,15 +9,6 @@ namespace {
 constexpr double kNarrow = 0.25;  // width over size
 constexpr double kTurn = 0.6;     // [rad] across the width
 constexpr int kSamples = 3;       // per direction
-
-// Of a strip with this area and these long sides [mm].
-double width_of(const Model& model, FaceId id) {
-  double around = 0.0;
-  for (const auto& loop : model.face(id).loops) {
-    for (const CoEdge& coedge : loop) around += model.edge(coedge.edge).length;
-  }
-  return around > 0.0 ? 2.0 * model.face(id).area / around : 0.0;
-}
 
 bool turns(Evaluator& evaluator, FaceId id, double width) {
   const Face& face = evaluator.model().face(id);

@@ -1,0 +1,76 @@
+#include "mesher/small_parts.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "sizing/size_field.h"
+
+namespace advlayers {
+namespace {
+
+constexpr double kSmall = 0.1;     // of the size
+constexpr std::size_t kNamed = 5;  // the others are counted
+
+struct SmallPart {
+  double extent;  // [mm]
+  std::string name;
+  bool operator<(const SmallPart& o) const { return extent < o.extent; }
+};
+
+void note(std::vector<SmallPart> parts, const char* code, const std::string& what,
+          std::vector<Diagnostic>& diagnostics) {
+  if (parts.empty()) return;
+  std::stable_sort(parts.begin(), parts.end());
+  std::ostringstream text;
+  text << what << ": ";
+  for (std::size_t i = 0; i < std::min(parts.size(), kNamed); ++i) {
+    text << (i > 0 ? ", " : "") << parts[i].name << " (" << parts[i].extent << " mm)";
+  }
+  if (parts.size() > kNamed) text << " and " << parts.size() - kNamed << " more";
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::kInfo;
+  diagnostic.code = code;
+  diagnostic.text = text.str();
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+}  // namespace
+
+double width_of(const Model& model, FaceId face) {
+  double around = 0.0;
+  for (const auto& loop : model.face(face).loops) {
+    for (const CoEdge& coedge : loop) around += model.edge(coedge.edge).length;
+  }
+  return around > 0.0 ? 2.0 * model.face(face).area / around : 0.0;
+}
+
+void note_small_parts(const Model& model, const Settings& settings,
+                      const std::vector<FaceId>& faces, std::vector<Diagnostic>& diagnostics) {
+  if (model.triangular()) return;
+  const SizeField sizes(settings);
+  std::vector<SmallPart> narrow, brief;
+  std::set<EdgeId> edges;
+  for (const FaceId face : faces) {
+    for (const auto& loop : model.face(face).loops) {
+      for (const CoEdge& coedge : loop) edges.insert(coedge.edge);
+    }
+    const double width = width_of(model, face);
+    if (width > 0.0 && width < kSmall * sizes.of_face(face)) {
+      narrow.push_back({width, face_name(face)});
+    }
+  }
+  for (const EdgeId id : edges) {
+    const Edge& edge = model.edge(id);
+    if (edge.degenerate || edge.length >= kSmall * sizes.of_edge(id, edge.faces)) continue;
+    brief.push_back({edge.length, edge_name(id)});
+  }
+  note(std::move(brief), "tiny-edges",
+       "shorter than a tenth of the size, and the mesh edges with them", diagnostics);
+  note(std::move(narrow), "sliver-faces",
+       "narrower than a tenth of the size, and their elements with them", diagnostics);
+}
+
+}  // namespace advlayers
