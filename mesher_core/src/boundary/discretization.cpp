@@ -385,4 +385,11 @@ Discretization discretize(Evaluator& evaluator, const Settings& settings,
   return Discretizer(evaluator, settings).run(match_ends);
 }
 
+bool same_cuts(const Discretization& a, const Discretization& b) {
+  return std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(),
+                    [](const EdgeNodes& x, const EdgeNodes& y) {
+                      return x.nodes == y.nodes && x.params == y.params;
+                    });
+}
+
 }  // namespace advlayers

@@ -35,4 +35,7 @@ struct Discretization {
 Discretization discretize(Evaluator& evaluator, const Settings& settings,
                           const std::vector<MatchEnd>& match_ends = {});
 
+// Whether every edge has the same nodes in the same places.
+bool same_cuts(const Discretization& a, const Discretization& b);
+
 }  // namespace advlayers

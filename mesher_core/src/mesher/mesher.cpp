@@ -51,6 +51,8 @@ struct Mesher::Impl {
   Impl(const Model& the_model, const Settings& the_settings);
   void place_initial_mesh();
   void make_jobs();
+  void renew(std::size_t index);
+  void cut_boundary();
   void start();
   using AskedEdges = std::vector<std::vector<EdgeId>>;  // by patch: edges it finds too coarse
   void triangulate_all();
@@ -69,6 +71,7 @@ struct Mesher::Impl {
   CancelFlag cancel;
   unsigned threads;
   Discretization boundary;
+  Discretization first_cut;  // the boundary before any edge was halved
   std::vector<std::unique_ptr<PatchJob>> jobs;
   std::vector<std::size_t> order;  // of starting the jobs: large patches first
   std::deque<LayerReport> pending;
@@ -101,11 +104,20 @@ void Mesher::Impl::place_initial_mesh() {
       std::make_shared<InitialNodes>(model, *settings.initial_mesh, faces, cancel);
 }
 
+// A patch that is finished, and has the same faces as before, stays as it is.
 void Mesher::Impl::make_jobs() {
-  jobs.clear();
+  PatchJobs before = std::exchange(jobs, {});
   for (std::vector<FaceId>& faces : group_faces(model, settings)) {
-    jobs.push_back(
-        std::make_unique<PatchJob>(PatchId(jobs.size()), std::move(faces), model, settings));
+    const PatchId id(jobs.size());
+    const auto same = std::find_if(before.begin(), before.end(), [&](const auto& job) {
+      return job != nullptr && job->finished() && job->faces() == faces;
+    });
+    if (same != before.end()) {
+      (*same)->renumber(id);
+      jobs.push_back(std::move(*same));
+    } else {
+      jobs.push_back(std::make_unique<PatchJob>(id, std::move(faces), model, settings));
+    }
   }
   order.resize(jobs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -123,18 +135,37 @@ void Mesher::Impl::for_each_job(const Body& body) {
   });
 }
 
+// Begins a finished patch anew: its boundary has changed.
+void Mesher::Impl::renew(std::size_t index) {
+  const PatchJob& old = *jobs[index];
+  jobs[index] = std::make_unique<PatchJob>(old.id(), old.faces(), model, settings);
+  jobs[index]->plan();
+}
+
+void Mesher::Impl::cut_boundary() {
+  for_each_job([](PatchJob& job, std::size_t) {
+    if (!job.finished()) job.plan();
+  });
+  std::vector<MatchEnd> match_ends;
+  for (const auto& job : jobs) {
+    match_ends.insert(match_ends.end(), job->match_ends().begin(), job->match_ends().end());
+  }
+  Evaluator evaluator(model);
+  Discretization cut = discretize(evaluator, settings, match_ends);
+  // Finished patches fit the boundary as it stands, with the edges that were halved since.
+  if (same_cuts(cut, first_cut)) return;
+  for_each_job([this](PatchJob& job, std::size_t index) {
+    if (job.finished()) renew(index);
+  });
+  boundary = first_cut = std::move(cut);
+}
+
 void Mesher::Impl::start() {
   if (started) return;
   {
     const Stopwatch watch(seconds["boundary"]);
     cancel.check();
-    for_each_job([](PatchJob& job, std::size_t) { job.plan(); });
-    std::vector<MatchEnd> match_ends;
-    for (const auto& job : jobs) {
-      match_ends.insert(match_ends.end(), job->match_ends().begin(), job->match_ends().end());
-    }
-    Evaluator evaluator(model);
-    boundary = discretize(evaluator, settings, match_ends);
+    cut_boundary();
   }
   const Stopwatch watch(seconds["triangulate"]);
   triangulate_all();
@@ -146,8 +177,9 @@ void Mesher::Impl::start() {
 // and no edge is halved for its sake: its neighbours would pay for it.
 void Mesher::Impl::triangulate_all() {
   std::vector<AskedEdges> rounds;
-  std::vector<char> waiting(jobs.size(), 1);
-  const Discretization first_cut = boundary;
+  std::vector<char> waiting;
+  for (const auto& job : jobs) waiting.push_back(job->finished() ? 0 : 1);
+  const Discretization before = boundary;
   while (true) {
     AskedEdges asked(jobs.size());
     for_each_job([&](PatchJob& job, std::size_t index) {
@@ -164,14 +196,14 @@ void Mesher::Impl::triangulate_all() {
   if (rounds.empty()) return;
   std::vector<char> cured(waiting);
   for (char& c : cured) c = c ? 0 : 1;
-  boundary = first_cut;
+  boundary = before;
   std::set<EdgeId> halved;
   for (const AskedEdges& asked : rounds) halved.merge(halve(asked, cured));
   for_each_job([&](PatchJob& job, std::size_t index) {
     const auto beside = [&](EdgeId edge) { return job.borders_on(edge); };
-    if (cured[index] && std::any_of(halved.begin(), halved.end(), beside)) {
-      job.triangulate(boundary, cancel);
-    }
+    if (!cured[index] || std::none_of(halved.begin(), halved.end(), beside)) return;
+    if (job.finished()) renew(index);
+    jobs[index]->triangulate(boundary, cancel);
   });
 }
 
@@ -206,8 +238,9 @@ void Mesher::Impl::finish_jobs() {
   for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
 }
 
-// Makes the faces patches of their own, for another start. Edges that the user called smooth stay
-// inside their patches. Returns false where nothing is left to part.
+// Makes the faces patches of their own; what is not yet meshed then waits for another start. Edges
+// that the user called smooth stay inside their patches. Returns false where nothing is left to
+// part.
 bool Mesher::Impl::part_faces(const std::vector<FaceId>& faces, const std::string& reason) {
   const FeatureRule rule = feature_rule(settings);
   const auto listed = [](const std::vector<EdgeId>& edges, EdgeId edge) {

@@ -220,7 +220,15 @@ void PatchJob::complete_along_edges(const Discretization& boundary, const Cancel
           " elements reach over edges inside the patch; lower feature_angle to part its faces");
 }
 
+void PatchJob::renumber(PatchId id) {
+  id_ = report_.patch = id;
+  for (auto* notes : {&diagnostics_, &matches_.notes}) {
+    for (Diagnostic& note : *notes) note.patch = id;
+  }
+}
+
 void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) {
+  if (finished_) return;
   end_layers();
   if (!meshed_) return;
   if (const std::string fault = find_connectivity_fault(mesh_); !fault.empty()) {
@@ -242,6 +250,7 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
     const std::string fault = find_connectivity_fault(mesh_);
     if (!fault.empty()) throw InternalError(fault);
   });
+  finished_ = true;
   if (done) return;
   mesh_ = before;
   face_of_.clear();

@@ -35,6 +35,10 @@ class PatchJob {
   void measure(const CancelFlag& cancel);
 
   bool meshed() const { return meshed_; }
+  // Meshed to the end: the stages above pass it over from then on.
+  bool finished() const { return finished_; }
+  // Patches of a run are numbered in order; the others may have changed.
+  void renumber(PatchId id);
   bool borders_on(EdgeId edge) const { return walls_.edges.count(edge) > 0; }
   PatchId id() const { return id_; }
   const std::vector<FaceId>& faces() const { return faces_; }
@@ -80,6 +84,7 @@ class PatchJob {
   int initial_nodes_ = 0;
   std::unique_ptr<PatchLayers> layers_;
   bool meshed_ = false;
+  bool finished_ = false;
   bool growing_ = false;
   bool defective_ = false;
   PatchReport report_;

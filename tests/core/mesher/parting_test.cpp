@@ -40,15 +40,16 @@ class SmallDisc : public testing::Test {
 
   std::vector<MeshResult> meshes() {
     std::vector<MeshResult> made;
-    for (const double height : {0.05, 0.175, 0.3}) {
-      settings.size = kSize;
-      settings.first_height = height;
-      made.push_back(mesh_of(model, settings));
-    }
+    for (const double height : kHeights) made.push_back(mesh(height));
     return made;
   }
+  MeshResult mesh(double height) {
+    settings.size = 0.7;
+    settings.first_height = height;
+    return mesh_of(model, settings);
+  }
 
-  static constexpr double kSize = 0.7;
+  static constexpr double kHeights[] = {0.05, 0.175, 0.3};
   const Model model;
   Settings settings;
 };
@@ -64,6 +65,36 @@ TEST_F(SmallDisc, HoldsElementsAsItIsPartedWhereNeeded) {
     parted = parted || tells(mesh, "patch-parted");
   }
   EXPECT_TRUE(parted);
+}
+
+// Patches that are none of the parted one's are not meshed again; they are what they would be.
+TEST_F(SmallDisc, IsMeshedAsIfItHadBeenPartedFromTheOutset) {
+  int parted = 0;
+  for (const double height : kHeights) {
+    settings.boundary_edges.clear();
+    const MeshResult made = mesh(height);
+    const auto note = std::find_if(made.diagnostics.begin(), made.diagnostics.end(),
+                                   [](const Diagnostic& d) { return d.code == "patch-parted"; });
+    if (note == made.diagnostics.end()) continue;
+    ++parted;
+    for (std::size_t f = 0; f < model.faces().size(); ++f) {
+      const std::string name = face_name(FaceId(f));
+      if (note->text.find(name) == std::string::npos) continue;
+      for (const CoEdge& side : model.faces()[f].loops[0]) {
+        if (!side.seam) settings.boundary_edges.push_back(side.edge);
+      }
+    }
+    const MeshResult apart = mesh(height);
+    EXPECT_FALSE(tells(apart, "patch-parted"));
+    EXPECT_EQ(made.nodes, apart.nodes);
+    EXPECT_EQ(made.quads, apart.quads);
+    EXPECT_EQ(made.triangles, apart.triangles);
+    for (std::size_t p = 0; p < made.patches.size(); ++p) {
+      EXPECT_EQ(made.patches[p].patch, PatchId(p));
+      EXPECT_EQ(made.patches[p].faces, apart.patches[p].faces);
+    }
+  }
+  EXPECT_GT(parted, 0);
 }
 
 TEST_F(SmallDisc, StaysInThePatchWhereItsEdgeIsCalledSmooth) {
