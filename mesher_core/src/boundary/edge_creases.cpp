@@ -69,9 +69,13 @@ std::vector<double> edge_creases(Evaluator& evaluator, EdgeId edge,
     FoldFinder(evaluator, edge, side).find(least, folds);
   }
   std::sort(folds.begin(), folds.end());
+  const Edge& whole = evaluator.model().edge(edge);
   std::vector<double> apart;
   for (const double t : folds) {
-    if (apart.empty() || evaluator.edge_length(edge, apart.back(), t) > least) apart.push_back(t);
+    const double before = apart.empty() ? whole.first : apart.back();
+    const bool alone = evaluator.edge_length(edge, before, t) > least &&
+                       evaluator.edge_length(edge, t, whole.last) > least;
+    if (alone) apart.push_back(t);
   }
   return apart;
 }

@@ -17,6 +17,17 @@ namespace {
 constexpr double kParallel = 1e-6;
 // Below this part the parameter plane is too stretched to steer in.
 constexpr double kRegular = 1e-3;
+// Part of a period by which round-off may lead beyond it.
+constexpr double kRoundOff = 1e-12;
+
+// x by whole periods into the range. A hair beyond an end stays at that end: where the surface is
+// creased along its seam, the other end has another normal.
+double wrapped(double x, double lo, double hi, double period) {
+  if (!(period > 0.0) || (x >= lo && x <= hi)) return x;
+  const double slack = kRoundOff * period;
+  if (x >= lo - slack && x <= hi + slack) return std::clamp(x, lo, hi);
+  return x - period * std::floor((x - lo) / period);
+}
 
 }  // namespace
 
@@ -89,12 +100,8 @@ void FaceSurface::keep_elementary() {
 // OpenCASCADE evaluates a closed surface that is not flagged periodic inside its range only.
 void FaceSurface::wrap(double& u, double& v) const {
   if (is_elementary()) return;
-  if (face_->u_period > 0.0 && (u < u_lo_ || u > u_hi_)) {
-    u -= face_->u_period * std::floor((u - u_lo_) / face_->u_period);
-  }
-  if (face_->v_period > 0.0 && (v < v_lo_ || v > v_hi_)) {
-    v -= face_->v_period * std::floor((v - v_lo_) / face_->v_period);
-  }
+  u = wrapped(u, u_lo_, u_hi_, face_->u_period);
+  v = wrapped(v, v_lo_, v_hi_, face_->v_period);
 }
 
 Vec3 FaceSurface::value(double u, double v) const {

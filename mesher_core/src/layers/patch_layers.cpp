@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "layers/bends_ahead.h"
 #include "layers/chain_end.h"
 #include "layers/close_front.h"
 #include "layers/insert_layer.h"
@@ -51,6 +52,7 @@ struct PatchLayers::Impl {
 
   // Algorithm 1, lines 8 to 17. The front is collapsed in the plan, before anything is inserted.
   void advance_layer() {
+    stop_before_bends(state);
     make_way(state);
     done(Step::kMakeWay);
     ChainEnds::join_facing(state);

@@ -12,9 +12,11 @@
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Precision.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -259,6 +261,25 @@ TEST(Evaluator, FindsTheNearestPointOfAThread) {
     const Vec3 p = evaluator.frame(FaceId(0), u, v).xyz;
     EXPECT_LT((evaluator.closest(FaceId(0), p).xyz - p).norm(), 1e-6) << u << ' ' << v;
   }
+}
+
+// A drop's outline, drawn out: closed, but creased along its seam.
+TEST(Evaluator, KeepsTheNormalsOfBothSidesOfACreasedSeam) {
+  TColgp_Array2OfPnt poles(1, 4, 1, 2);
+  const gp_Pnt outline[4] = {{0, 0, 0}, {3, 2, 0}, {3, -2, 0}, {0, 0, 0}};
+  for (int i = 0; i < 4; ++i) {
+    poles(i + 1, 1) = outline[i];
+    poles(i + 1, 2) = outline[i].Translated(gp_Vec(0, 0, 1));
+  }
+  const Model model =
+      model_of(BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), Precision::Confusion()));
+  ASSERT_EQ(model.faces()[0].u_period, 1.0);
+  Evaluator evaluator(model);
+  const auto normal = [&](double u) { return evaluator.frame(FaceId(0), u, 0.5).normal; };
+  ASSERT_GT((normal(1e-6) - normal(1 - 1e-6)).norm(), 0.5);
+  const double hair = 4 * std::numeric_limits<double>::epsilon();
+  EXPECT_LT((normal(1 + hair) - normal(1 - 1e-6)).norm(), 1e-4);
+  EXPECT_LT((normal(-hair) - normal(1e-6)).norm(), 1e-4);
 }
 
 }  // namespace
