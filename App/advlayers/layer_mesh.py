@@ -348,7 +348,7 @@ def _state(document_object) -> str:
 
 
 def fits(document_object, origin: MadeFrom) -> bool:
-    """Whether settings and shape are still those that a mesh was made from."""
+    """Whether settings, shape and initial mesh are still those that a mesh was made from."""
     return _as_now(document_object, origin.settings_text, origin.points, origin.initial_points)
 
 
@@ -366,11 +366,9 @@ def _as_now(document_object, settings: str, points: Sequence[float],
     if shape.isNull():
         return False
     diagonal = shape.BoundBox.DiagonalLength
-    return freshness.same_points(
-        points, freshness.shape_points(shape), diagonal
-    ) and freshness.same_points(
-        initial_points,
-        initial_mesh.fingerprint(document_object.InitialMesh), diagonal)
+    initial = initial_mesh.fingerprint(document_object.InitialMesh)
+    return (freshness.same_points(points, freshness.shape_points(shape), diagonal)
+            and freshness.same_points(initial_points, initial, diagonal))
 
 
 def add_properties(document_object) -> None:

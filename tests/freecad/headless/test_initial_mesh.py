@@ -56,8 +56,11 @@ def test_it_is_out_of_date_once_the_initial_mesh_changes(box):
     start.FemMesh = gmsh_object(box, 2).FemMesh
     box.Document.recompute()
     assert made.State == layer_mesh.OUT_OF_DATE
-    advlayers.update(made)
-    assert made.State == layer_mesh.UP_TO_DATE
+    coarse = made.NodeCount
+    made.AutoUpdate = True
+    box.Document.recompute()
+    assert made.State == layer_mesh.UP_TO_DATE and made.NodeCount > 1.5 * coarse
+    made.AutoUpdate = False
     made.InitialMesh = None
     box.Document.recompute()
     assert made.State == layer_mesh.OUT_OF_DATE
