@@ -40,7 +40,7 @@ class Discretizer {
       : evaluator_(evaluator),
         model_(evaluator.model()),
         sizes_(settings),
-        limits_{0.0, &sizes_, settings.curvature_angle * M_PI / 180.0, 0.0},
+        limits_{0.0, &sizes_, settings.curvature_angle * M_PI / 180.0, 0.0, true},
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
     choose_faces(settings);
@@ -88,6 +88,7 @@ class Discretizer {
       for (std::size_t k = 1; k < ends.size(); ++k) {
         const int to = k + 1 == ends.size() ? last : joint_count_++;
         of_edge_[i].push_back(stretches_.size());
+        limits_.open = from != to;
         stretches_.push_back(
             {EdgeId(i),
              ends[k - 1],

@@ -17,6 +17,8 @@ constexpr int kMinDepth = 2, kMaxDepth = 12;
 // Normals ask for no finer cut than this part of the size or the stretch: where a crease of the
 // surface crosses the edge, no cut is fine enough.
 constexpr double kNormalFloor = 0.05;
+// An open stretch shorter than this part of the size is one segment, however it turns.
+constexpr double kTiny = 0.05;
 constexpr double kUniform = 1e-9;  // relative spread of an even spacing
 // Beyond the layers that run along it an edge grows faster: it meets the long edges of their front.
 constexpr double kBlendSlope = 1.0;
@@ -32,9 +34,14 @@ EdgeSpacing::EdgeSpacing(Evaluator& evaluator, EdgeId edge, double t_begin, doub
     if (t > pieces.back() && t < t_end) pieces.push_back(t);
   }
   pieces.push_back(t_end);
-  least_by_normals_ =
-      kNormalFloor * std::min(limits.size, evaluator.edge_length(edge, t_begin, t_end));
+  const double length = evaluator.edge_length(edge, t_begin, t_end);
+  least_by_normals_ = kNormalFloor * std::min(limits.size, length);
   samples_.push_back({0.0, limits.size});
+  if (limits.open && !limits.sizes->refined() && length < kTiny * limits.size) {
+    samples_.push_back({length, limits.size});
+    sides_ = nullptr;
+    return;
+  }
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     // Derivatives from inside the piece: a slight kink between two is no curvature.
     const double inward = 1e-7 * (pieces[i] - pieces[i - 1]);

@@ -16,6 +16,7 @@ struct SpacingLimits {
   const SizeField* sizes;  // where they are less, and how fast segments grow
   double curve_angle;      // [rad] a segment of the curve may turn
   double normal_angle;     // [rad] the normals of the faces beside it may turn along a segment
+  bool open = true;        // the stretch does not end where it begins
 };
 
 class EdgeSpacing {

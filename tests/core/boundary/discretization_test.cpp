@@ -8,6 +8,7 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -22,6 +23,8 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 
 #include <cmath>
 
@@ -298,6 +301,29 @@ TEST(Discretization, KinksOfACurveTakeANode) {
     double nearest = 1e9;
     for (const BoundaryNode& n : d.nodes) nearest = std::min(nearest, (n.xyz - corner).norm());
     EXPECT_LT(nearest, 1e-12);
+  }
+}
+
+TEST(Discretization, ArcsFarShorterThanTheSizeAreOneSegment) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 5, 6).Shape();
+  BRepFilletAPI_MakeFillet fillet(box);
+  for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More(); edge.Next()) {
+    fillet.Add(0.02, TopoDS::Edge(edge.Current()));
+  }
+  const Model model = model_of(fillet.Shape());
+  for (const double size : {1.0, 0.1}) {
+    const Discretization boundary = cut(model, settings_of(size));
+    for (std::size_t e = 0; e < boundary.edges.size(); ++e) {
+      const Edge& edge = model.edge(EdgeId(e));
+      if (edge.degenerate || edge.length > 0.05) continue;
+      const std::size_t segments = boundary.edges[e].nodes.size() - 1;
+      // Else 90 degrees, of no more than 20 each.
+      if (size == 1.0) {
+        EXPECT_EQ(segments, 1u);
+      } else {
+        EXPECT_GE(segments, 4u);
+      }
+    }
   }
 }
 
