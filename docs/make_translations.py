@@ -10,6 +10,7 @@ The .qm files are committed: an add-on is installed as a checkout, and nothing b
 import ast
 import glob
 import os
+import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -18,6 +19,9 @@ from xml.sax.saxutils import escape
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(ROOT, "App"))
 FOLDER = os.path.join(ROOT, "Resources", "translations")
+# A Sentence, its variable's name where it has one, and its literals one after the other.
+_CORE_SENTENCE = re.compile(r'\bSentence(?:\s+\w+)?\(\s*((?:"[^"\\]*"\s*)+)')
+_LITERAL = re.compile(r'"([^"]*)"')
 PROPERTY, WINDOW, WORKBENCH = "App::Property", "AdvancingLayers", "Workbench"
 
 
@@ -28,6 +32,9 @@ def texts():
         with open(path, encoding="utf-8") as file:
             found.update(dict.fromkeys(_of_code(ast.parse(file.read()))))
     found.update(dict.fromkeys(_of_tables()))
+    for path in sorted(glob.glob(os.path.join(ROOT, "mesher_core", "src", "*", "*.cpp"))):
+        with open(path, encoding="utf-8") as file:
+            found.update(dict.fromkeys(_of_core(file.read())))
     for path in sorted(glob.glob(os.path.join(ROOT, "Resources", "ui", "*.ui"))):
         found.update(dict.fromkeys(_of_form(path)))
     return sorted(found)
@@ -39,13 +46,25 @@ def _of_code(tree):
             yield from _of_class(node)
         elif isinstance(node, ast.Call):
             name = getattr(node.func, "id", getattr(node.func, "attr", ""))
-            if name == "tr" and node.args and _text(node.args[0]):
+            if name in ("tr", "Sentence") and node.args and _says_something(_text(node.args[0])):
                 yield WINDOW, _text(node.args[0])
             elif name == "addProperty" and len(node.args) > 3 and _text(node.args[3]):
                 yield PROPERTY, _text(node.args[3])
         elif isinstance(node, ast.Tuple) and len(node.elts) > 2:
             if any(_text(element).startswith("App::Property") for element in node.elts[:2]):
                 yield PROPERTY, _text(node.elts[-1])
+
+
+def _of_core(source):
+    """The forms of the core's sentences."""
+    for literals in _CORE_SENTENCE.findall(source):
+        form = "".join(_LITERAL.findall(literals))
+        if _says_something(form):
+            yield WINDOW, form
+
+
+def _says_something(text):
+    return any(letter.isalpha() for letter in text)
 
 
 def _of_class(node):
@@ -86,7 +105,7 @@ def _of_form(path):
     root = ElementTree.parse(path).getroot()
     context = root.findtext("class")
     for text in root.iter("string"):
-        if any(letter.isalpha() for letter in text.text or ""):
+        if _says_something(text.text or ""):
             yield context, text.text
 
 

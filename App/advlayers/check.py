@@ -9,7 +9,8 @@ import numpy as np
 from advlayers import analysis, element_mesh, layer_mesh, mesh_data
 from advlayers.language import tr
 from advlayers.mesh_data import POOR_QUALITY, QUALITY, MeshData
-from advlayers.report import wall_shortfalls
+from advlayers.report import WALL_SHORTFALL_CODES, wall_shortfalls
+from advlayers.sentence import of_diagnostic
 
 WORST = 10  # elements that are listed
 _ORDER = ("error", "warning", "info")
@@ -61,9 +62,11 @@ def of_mesh(data: MeshData) -> List[Finding]:
         found.append(Finding(
             "error", tr("{} elements are turned over.").format(data.report["inverted"])))
     for number, wall in enumerate(data.report.get("walls", ())):
-        found += [Finding("warning", text, wall=number) for text in wall_shortfalls(wall)]
-    found += [Finding(entry["severity"], entry["text"], _place(entry["point"]))
-              for entry in data.report.get("diagnostics", ())]
+        found += [Finding("warning", sentence.translated, wall=number)
+                  for sentence in wall_shortfalls(wall)]
+    found += [Finding(entry["severity"], of_diagnostic(entry).translated, _place(entry["point"]))
+              for entry in data.report.get("diagnostics", ())
+              if entry["code"] not in WALL_SHORTFALL_CODES]
     return found + _worst_elements(data)
 
 

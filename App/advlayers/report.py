@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import Any, Dict, List, Mapping
 
 import advlayers
+from advlayers.sentence import Sentence
 
 FIGURES = (
     "nodes", "quads", "triangles", "quad_percent", "layer_quad_percent", "core_quad_percent",
@@ -13,6 +14,8 @@ FIGURES = (
 SECONDS = ("read", "boundary", "triangulate", "layers", "core", "mesh_object", "write", "total")
 # A first height this far from the one asked for, relative to it, is a shortfall.
 HEIGHT_TOLERANCE = 0.1
+# Diagnostics of the core that say of a wall what wall_shortfalls() says of it.
+WALL_SHORTFALL_CODES = ("wall-without-layers", "wall-short-of-layers", "wall-height-missed")
 
 
 def make_report(input_name: str, mesh, notes: List[Dict[str, Any]],
@@ -41,23 +44,26 @@ def has_error(report: Mapping[str, Any]) -> bool:
 def shortfalls(report: Mapping[str, Any]) -> List[Dict[str, Any]]:
     """An error-level diagnostic for each wall that got fewer layers than asked for, or layers of
     another first height."""
-    return [{**info("shortfall", text), "severity": "error"}
-            for wall in report["walls"] for text in wall_shortfalls(wall)]
+    return [{**info("shortfall", sentence.english), "severity": "error"}
+            for wall in report["walls"] for sentence in wall_shortfalls(wall)]
 
 
-def wall_shortfalls(wall: Mapping[str, Any]) -> List[str]:
+def wall_shortfalls(wall: Mapping[str, Any]) -> List[Sentence]:
     """What one wall of a report has less or other than it was asked for."""
     found = []
-    name = f"{wall['edge']} on {wall['face']}"
+    edge, face = wall["edge"], wall["face"]
     wanted = wall["requested_layers"]
     if isinstance(wanted, int) and wall["layers"] < wanted:
-        found.append(f"{name} got {wall['layers']} of {wanted} layers")
+        found.append(Sentence("{} on {} got {} of {} layers",
+                              (edge, face, str(wall["layers"]), str(wanted))))
     achieved = wall["achieved_first_height"]
     if achieved["max"] == 0.0:
-        found.append(f"{name} got no layer of a height that could be measured")
+        found.append(Sentence("{} on {} got no layer of a height that could be measured",
+                              (edge, face)))
     elif wall["height_error"] > HEIGHT_TOLERANCE:
-        found.append(
-            f"{name} got first heights from {achieved['min']:.6g} to {achieved['max']:.6g} mm, "
-            f"off those asked for ({wall['first_height']:.6g} mm on average) by up to "
-            f"{100.0 * wall['height_error']:.0f} %")
+        found.append(Sentence(
+            "{} on {} got first heights from {} to {} mm, off those asked for ({} mm on average) "
+            "by up to {} %",
+            (edge, face, f"{achieved['min']:.6g}", f"{achieved['max']:.6g}",
+             f"{wall['first_height']:.6g}", f"{100.0 * wall['height_error']:.0f}")))
     return found

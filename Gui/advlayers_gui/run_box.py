@@ -9,6 +9,7 @@ from PySide import QtGui
 from advlayers import layer_mesh
 from advlayers.errors import CoreMissing
 from advlayers.language import tr
+from advlayers.sentence import of_diagnostic
 from advlayers_gui.mesh_task import Canvas, MeshTask, Outcome, Progress
 
 _STEPS = 1000  # of the progress bar
@@ -142,5 +143,6 @@ def summary(outcome: Outcome, seconds: float) -> str:
               "{seconds:.1f} s").format(
         quads=figures["quads"], triangles=figures["triangles"],
         percent=figures["quad_percent"], seconds=seconds)
-    grave = [entry["text"] for entry in outcome.mesh.diagnostics if entry["severity"] == "error"]
+    grave = [of_diagnostic(entry).translated for entry in outcome.mesh.diagnostics
+             if entry["severity"] == "error"]
     return "\n".join([line] + grave[:5])

@@ -691,6 +691,22 @@
         <translation>mit dem Nachbarn verschmolzen</translation>
     </message>
     <message>
+        <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
+        <translation>Für sich vernetzt, weil die Elemente ihrer Teilflächen ihnen nicht folgen konnten: {}</translation>
+    </message>
+    <message>
+        <source>meshed on their own, as they are curved more tightly than layers of this size can follow: {}</source>
+        <translation>Für sich vernetzt, weil sie enger gekrümmt sind, als Schichten dieser Größe folgen können: {}</translation>
+    </message>
+    <message>
+        <source>narrower than a tenth of the size, and their elements with them: {}</source>
+        <translation>Schmaler als ein Zehntel der Größe, und ihre Elemente mit ihnen: {}</translation>
+    </message>
+    <message>
+        <source>narrower than a tenth of the size, and their elements with them: {} and {} more</source>
+        <translation>Schmaler als ein Zehntel der Größe, und ihre Elemente mit ihnen: {} und {} weitere</translation>
+    </message>
+    <message>
         <source>no valid element fits</source>
         <translation>kein gültiges Element passt</translation>
     </message>
@@ -723,8 +739,24 @@
         <translation>wählen Sie zuerst {}</translation>
     </message>
     <message>
+        <source>sewing joined {} edges; free edges left: {}</source>
+        <translation>Beim Nähen wurden {} Kanten verbunden; freie Kanten übrig: {}</translation>
+    </message>
+    <message>
+        <source>shorter than a tenth of the size, and the mesh edges with them: {}</source>
+        <translation>Kürzer als ein Zehntel der Größe, und die Netzkanten mit ihnen: {}</translation>
+    </message>
+    <message>
+        <source>shorter than a tenth of the size, and the mesh edges with them: {} and {} more</source>
+        <translation>Kürzer als ein Zehntel der Größe, und die Netzkanten mit ihnen: {} und {} weitere</translation>
+    </message>
+    <message>
         <source>the fronts have met</source>
         <translation>die Fronten sind zusammengetroffen</translation>
+    </message>
+    <message>
+        <source>the triangulation took {} of the {} nodes of the initial mesh; the others lie on edges or too near to their neighbours</source>
+        <translation>Die Triangulierung hat {} der {} Knoten des Ausgangsnetzes übernommen; die anderen liegen auf Kanten oder zu nah an ihren Nachbarn</translation>
     </message>
     <message>
         <source>to</source>
@@ -763,6 +795,14 @@
         <translation>{stage} · {elements} Elemente · {percent:.1f} % Vierecke · {seconds:.1f} s</translation>
     </message>
     <message>
+        <source>{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
+        <translation>{} und {} weitere: erste Höhen von {} bis {} mm; verlangt waren im Mittel {} mm, Abweichung bis zu {} %</translation>
+    </message>
+    <message>
+        <source>{} bounds no meshed patch, and no layers grow from it; listed in boundary, it bounds its faces</source>
+        <translation>{} begrenzt keine vernetzte Teilfläche, und es wachsen keine Schichten daraus; als Rand angegeben, begrenzt sie ihre Flächen</translation>
+    </message>
+    <message>
         <source>{} came after the mesh and does not act on it: update the mesh.</source>
         <translation>{} kam nach dem Netz und wirkt nicht darauf: aktualisieren Sie das Netz.</translation>
     </message>
@@ -775,12 +815,84 @@
         <translation>{} Elemente mit Güte {:.2f} bis {:.2f}</translation>
     </message>
     <message>
+        <source>{} has no boundary edge that layers could grow from</source>
+        <translation>{} hat keine Randkante, aus der Schichten wachsen könnten</translation>
+    </message>
+    <message>
         <source>{} is no part of {}, which is meshed</source>
         <translation>{} ist kein Teil von {}, das vernetzt wird</translation>
     </message>
     <message>
+        <source>{} is not meshed: {}</source>
+        <translation>{} wird nicht vernetzt: {}</translation>
+    </message>
+    <message>
         <source>{} is on the list already</source>
         <translation>{} steht schon auf der Liste</translation>
+    </message>
+    <message>
+        <source>{} meets the wall {} at {} degrees on {}: layers end there instead of running along it</source>
+        <translation>{} trifft die Wand {} unter {} Grad auf {}: Schichten enden dort, statt daran entlangzulaufen</translation>
+    </message>
+    <message>
+        <source>{} nodes of the initial mesh lay off the shape, by up to {} mm, and were put onto it</source>
+        <translation>{} Knoten des Ausgangsnetzes lagen bis zu {} mm neben der Form und wurden auf sie gesetzt</translation>
+    </message>
+    <message>
+        <source>{} on {} got first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
+        <translation>{} auf {} erhielt erste Höhen von {} bis {} mm; verlangt waren im Mittel {} mm, Abweichung bis zu {} %</translation>
+    </message>
+    <message>
+        <source>{} on {} got no layer of a height that could be measured</source>
+        <translation>{} auf {} erhielt keine Schicht, deren Höhe sich messen ließe</translation>
+    </message>
+    <message>
+        <source>{} on {} got no layers{}</source>
+        <translation>{} auf {} erhielt keine Schichten{}</translation>
+    </message>
+    <message>
+        <source>{} on {} got {} complete layers of {}{}</source>
+        <translation>{} auf {} erhielt {} vollständige Schichten von {}{}</translation>
+    </message>
+    <message>
+        <source>{} on {} got {} of {} layers</source>
+        <translation>{} auf {} erhielt {} von {} Schichten</translation>
+    </message>
+    <message>
+        <source>{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
+        <translation>{}: erste Höhen von {} bis {} mm; verlangt waren im Mittel {} mm, Abweichung bis zu {} %</translation>
+    </message>
+    <message>
+        <source>{}: its elements reach over edges inside the patch; lower feature_angle to part its faces</source>
+        <translation>{}: Ihre Elemente reichen über Kanten im Inneren der Teilfläche; ein kleinerer Kantenwinkel trennt die Flächen</translation>
+    </message>
+    <message>
+        <source>{}: its layers broke the mesh: {}</source>
+        <translation>{}: Die Schichten haben das Netz zerstört: {}</translation>
+    </message>
+    <message>
+        <source>{}: its segments are fixed: layers run along it where they fit</source>
+        <translation>{}: Ihre Teilung steht fest: Schichten laufen daran entlang, wo sie passen</translation>
+    </message>
+    <message>
+        <source>{}: the layers of the faces beside it would cut it differently; its nodes follow the mean, and leave the heights asked for by up to {} %</source>
+        <translation>{}: Die Schichten der Flächen daneben würden sie verschieden teilen; ihre Knoten folgen dem Mittel und weichen um bis zu {} % von den verlangten Höhen ab</translation>
+    </message>
+    <message>
+        <source>{}: triangles more than 30 degrees off the surface: {}; the worst leans by {} degrees</source>
+        <translation>{}: Dreiecke mehr als 30 Grad neben der Fläche: {}; das schlimmste neigt sich um {} Grad</translation>
+    </message>
+    <message>
+        <source>{}: triangles turned over against the surface: {}; the worst leans by {} degrees</source>
+        <translation>{}: gegen die Fläche umgeklappte Dreiecke: {}; das schlimmste neigt sich um {} Grad</translation>
+    </message>
+    <message>
+        <source>{}: {} elements are turned over against the surface</source>
+        <translation>{}: {} Elemente sind gegen die Fläche umgeklappt</translation>
+    </message>
+    <message>
+        <source>{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces</source>
+        <translation>{}: {} Elemente reichen über Kanten im Inneren der Teilfläche; ein kleinerer Kantenwinkel trennt die Flächen</translation>
     </message>
 </context>
 <context>

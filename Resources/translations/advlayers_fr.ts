@@ -691,6 +691,22 @@
         <translation>fusionné avec son voisin</translation>
     </message>
     <message>
+        <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
+        <translation>Maillées à part, car les éléments de leurs parties ne pouvaient pas les suivre : {}</translation>
+    </message>
+    <message>
+        <source>meshed on their own, as they are curved more tightly than layers of this size can follow: {}</source>
+        <translation>Maillées à part, car leur courbure est trop forte pour des couches de cette taille : {}</translation>
+    </message>
+    <message>
+        <source>narrower than a tenth of the size, and their elements with them: {}</source>
+        <translation>Plus étroites que le dixième de la taille, et leurs éléments avec elles : {}</translation>
+    </message>
+    <message>
+        <source>narrower than a tenth of the size, and their elements with them: {} and {} more</source>
+        <translation>Plus étroites que le dixième de la taille, et leurs éléments avec elles : {} et {} autres</translation>
+    </message>
+    <message>
         <source>no valid element fits</source>
         <translation>aucun élément valide ne convient</translation>
     </message>
@@ -723,8 +739,24 @@
         <translation>sélectionnez d'abord {}</translation>
     </message>
     <message>
+        <source>sewing joined {} edges; free edges left: {}</source>
+        <translation>La couture a joint {} arêtes ; arêtes libres restantes : {}</translation>
+    </message>
+    <message>
+        <source>shorter than a tenth of the size, and the mesh edges with them: {}</source>
+        <translation>Plus courtes que le dixième de la taille, et les arêtes du maillage avec elles : {}</translation>
+    </message>
+    <message>
+        <source>shorter than a tenth of the size, and the mesh edges with them: {} and {} more</source>
+        <translation>Plus courtes que le dixième de la taille, et les arêtes du maillage avec elles : {} et {} autres</translation>
+    </message>
+    <message>
         <source>the fronts have met</source>
         <translation>les fronts se sont rencontrés</translation>
+    </message>
+    <message>
+        <source>the triangulation took {} of the {} nodes of the initial mesh; the others lie on edges or too near to their neighbours</source>
+        <translation>La triangulation a repris {} des {} nœuds du maillage initial ; les autres sont sur des arêtes ou trop près de leurs voisins</translation>
     </message>
     <message>
         <source>to</source>
@@ -763,6 +795,14 @@
         <translation>{stage} · {elements} éléments · {percent:.1f} % de quadrangles · {seconds:.1f} s</translation>
     </message>
     <message>
+        <source>{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
+        <translation>{} et {} autres : premières hauteurs de {} à {} mm ; demandé : {} mm en moyenne, écart jusqu'à {} %</translation>
+    </message>
+    <message>
+        <source>{} bounds no meshed patch, and no layers grow from it; listed in boundary, it bounds its faces</source>
+        <translation>{} ne borde aucune partie maillée, et aucune couche n'en part ; déclarée comme bord, elle borde ses faces</translation>
+    </message>
+    <message>
         <source>{} came after the mesh and does not act on it: update the mesh.</source>
         <translation>{} est venu après le maillage et n'agit pas sur lui : mettez le maillage à jour.</translation>
     </message>
@@ -775,12 +815,84 @@
         <translation>{} éléments de qualité {:.2f} à {:.2f}</translation>
     </message>
     <message>
+        <source>{} has no boundary edge that layers could grow from</source>
+        <translation>{} n'a pas d'arête de bord d'où des couches pourraient partir</translation>
+    </message>
+    <message>
         <source>{} is no part of {}, which is meshed</source>
         <translation>{} n'est pas une partie de {}, qui est maillé</translation>
     </message>
     <message>
+        <source>{} is not meshed: {}</source>
+        <translation>{} n'est pas maillée : {}</translation>
+    </message>
+    <message>
         <source>{} is on the list already</source>
         <translation>{} est déjà sur la liste</translation>
+    </message>
+    <message>
+        <source>{} meets the wall {} at {} degrees on {}: layers end there instead of running along it</source>
+        <translation>{} rencontre la paroi {} à {} degrés sur {} : les couches y finissent au lieu de la longer</translation>
+    </message>
+    <message>
+        <source>{} nodes of the initial mesh lay off the shape, by up to {} mm, and were put onto it</source>
+        <translation>{} nœuds du maillage initial étaient hors de la forme, jusqu'à {} mm, et y ont été ramenés</translation>
+    </message>
+    <message>
+        <source>{} on {} got first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
+        <translation>{} sur {} a reçu des premières hauteurs de {} à {} mm ; demandé : {} mm en moyenne, écart jusqu'à {} %</translation>
+    </message>
+    <message>
+        <source>{} on {} got no layer of a height that could be measured</source>
+        <translation>{} sur {} n'a reçu aucune couche dont la hauteur soit mesurable</translation>
+    </message>
+    <message>
+        <source>{} on {} got no layers{}</source>
+        <translation>{} sur {} n'a reçu aucune couche{}</translation>
+    </message>
+    <message>
+        <source>{} on {} got {} complete layers of {}{}</source>
+        <translation>{} sur {} a reçu {} couches complètes sur {}{}</translation>
+    </message>
+    <message>
+        <source>{} on {} got {} of {} layers</source>
+        <translation>{} sur {} a reçu {} couches sur {}</translation>
+    </message>
+    <message>
+        <source>{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
+        <translation>{} : premières hauteurs de {} à {} mm ; demandé : {} mm en moyenne, écart jusqu'à {} %</translation>
+    </message>
+    <message>
+        <source>{}: its elements reach over edges inside the patch; lower feature_angle to part its faces</source>
+        <translation>{} : ses éléments débordent des arêtes intérieures de la partie ; un angle d'arête vive plus petit sépare ses faces</translation>
+    </message>
+    <message>
+        <source>{}: its layers broke the mesh: {}</source>
+        <translation>{} : ses couches ont rompu le maillage : {}</translation>
+    </message>
+    <message>
+        <source>{}: its segments are fixed: layers run along it where they fit</source>
+        <translation>{} : ses segments sont fixés : les couches la longent là où elles tiennent</translation>
+    </message>
+    <message>
+        <source>{}: the layers of the faces beside it would cut it differently; its nodes follow the mean, and leave the heights asked for by up to {} %</source>
+        <translation>{} : les couches des faces voisines la couperaient différemment ; ses nœuds suivent la moyenne et s'écartent des hauteurs demandées jusqu'à {} %</translation>
+    </message>
+    <message>
+        <source>{}: triangles more than 30 degrees off the surface: {}; the worst leans by {} degrees</source>
+        <translation>{} : triangles à plus de 30 degrés de la surface : {} ; le pire penche de {} degrés</translation>
+    </message>
+    <message>
+        <source>{}: triangles turned over against the surface: {}; the worst leans by {} degrees</source>
+        <translation>{} : triangles retournés par rapport à la surface : {} ; le pire penche de {} degrés</translation>
+    </message>
+    <message>
+        <source>{}: {} elements are turned over against the surface</source>
+        <translation>{} : {} éléments sont retournés par rapport à la surface</translation>
+    </message>
+    <message>
+        <source>{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces</source>
+        <translation>{} : {} éléments débordent des arêtes intérieures de la partie ; un angle d'arête vive plus petit sépare ses faces</translation>
     </message>
 </context>
 <context>

@@ -150,7 +150,9 @@ py::list diagnostics(const py::object& self) {
     entry["layer"] = diagnostic.layer;
     entry["point"] =
         py::make_tuple(diagnostic.point.x(), diagnostic.point.y(), diagnostic.point.z());
-    entry["text"] = diagnostic.text;
+    entry["text"] = diagnostic.sentence.english();
+    entry["form"] = diagnostic.sentence.form();
+    entry["values"] = diagnostic.sentence.values();
     list.append(entry);
   }
   return list;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/sentence.h"
 #include "base/types.h"
 
 namespace advlayers {
@@ -15,7 +16,7 @@ struct Diagnostic {
   PatchId patch;     // invalid: the whole model
   int layer = 0;     // 0: not in a layer
   Vec3 point = Vec3::Zero();
-  std::string text;  // names the CAD entity and the value
+  Sentence sentence;  // names the CAD entity and the value
 };
 
 }  // namespace advlayers

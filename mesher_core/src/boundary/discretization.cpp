@@ -251,7 +251,9 @@ class Discretizer {
       }
       if (series[0].empty() && series[1].empty()) continue;
       if (stretches_[i].spacing.fixed()) {
-        note(edge, "match-fixed", "its segments are fixed: layers run along it where they fit");
+        note("match-fixed",
+             Sentence("{}: its segments are fixed: layers run along it where they fit",
+                      edge_name(edge)));
         continue;
       }
       LayeredCuts cuts = lay_out_layers(stretches_[i].spacing.length(), series[0], series[1]);
@@ -283,16 +285,17 @@ class Discretizer {
   }
 
   void note_spread(EdgeId edge, double spread) {
-    note(edge, "match-mean",
-         "the layers of the faces beside it would cut it differently; its nodes follow the mean, "
-         "and leave the heights asked for by up to " +
-             std::to_string(std::lround(100.0 * spread)) + " %");
+    note(
+        "match-mean",
+        Sentence("{}: the layers of the faces beside it would cut it differently; its nodes follow "
+                 "the mean, and leave the heights asked for by up to {} %",
+                 edge_name(edge), std::lround(100.0 * spread)));
   }
-  void note(EdgeId edge, const char* code, const std::string& text) {
+  void note(const char* code, Sentence sentence) {
     Diagnostic note;
     note.severity = Severity::kInfo;
     note.code = code;
-    note.text = edge_name(edge) + ": " + text;
+    note.sentence = std::move(sentence);
     notes_.push_back(std::move(note));
   }
 

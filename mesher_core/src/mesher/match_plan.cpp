@@ -131,9 +131,10 @@ class MatchPlanner {
     Diagnostic note;
     note.severity = Severity::kInfo;
     note.code = "match-angle";
-    note.text = edge_name(along) + " meets the wall " + edge_name(wall) + " at " +
-                std::to_string(std::lround(corner.angle / kDegree)) + " degrees on " +
-                face_name(corner.face) + ": layers end there instead of running along it";
+    note.sentence = Sentence(
+        "{} meets the wall {} at {} degrees on {}: layers end there instead of running along it",
+        edge_name(along), edge_name(wall), std::lround(corner.angle / kDegree),
+        face_name(corner.face));
     plan_.notes.push_back(std::move(note));
   }
 

@@ -59,7 +59,7 @@ struct Mesher::Impl {
   std::set<EdgeId> halve(const AskedEdges& asked, const std::vector<char>& chosen);
   void advance_all();
   void finish_jobs();
-  bool part_faces(const std::vector<FaceId>& faces, const std::string& reason);
+  bool part_faces(const std::vector<FaceId>& faces, const Sentence& said);
   void part_tight_faces();
   bool part_strained_faces();
   MeshResult finish();
@@ -239,9 +239,9 @@ void Mesher::Impl::finish_jobs() {
 }
 
 // Makes the faces patches of their own; what is not yet meshed then waits for another start. Edges
-// that the user called smooth stay inside their patches. Returns false where nothing is left to
-// part.
-bool Mesher::Impl::part_faces(const std::vector<FaceId>& faces, const std::string& reason) {
+// that the user called smooth stay inside their patches. `said` is told of them. Returns false
+// where nothing is left to part.
+bool Mesher::Impl::part_faces(const std::vector<FaceId>& faces, const Sentence& said) {
   const FeatureRule rule = feature_rule(settings);
   const auto listed = [](const std::vector<EdgeId>& edges, EdgeId edge) {
     return std::binary_search(edges.begin(), edges.end(), edge);
@@ -264,7 +264,7 @@ bool Mesher::Impl::part_faces(const std::vector<FaceId>& faces, const std::strin
   Diagnostic note;
   note.severity = Severity::kInfo;
   note.code = "patch-parted";
-  note.text = "meshed on their own, as " + reason + ": " + names;
+  note.sentence = said.about(names);
   partings.push_back(std::move(note));
   make_jobs();
   started = false;
@@ -283,7 +283,8 @@ void Mesher::Impl::part_tight_faces() {
   for (const FaceId face : tight_faces(evaluator, settings)) {
     if (in_company.count(face) > 0) tight.push_back(face);
   }
-  part_faces(tight, "they are curved more tightly than layers of this size can follow");
+  part_faces(tight, Sentence("meshed on their own, as they are curved more tightly than layers of "
+                             "this size can follow: {}"));
 }
 
 // Faces that the mesh of their patch could not follow: elements reach over them, or found no room.
@@ -292,7 +293,8 @@ bool Mesher::Impl::part_strained_faces() {
   for (const auto& job : jobs) {
     strained.insert(strained.end(), job->strained_faces().begin(), job->strained_faces().end());
   }
-  return part_faces(strained, "the elements of their patches could not follow them");
+  return part_faces(strained, Sentence("meshed on their own, as the elements of their patches "
+                                       "could not follow them: {}"));
 }
 
 MeshResult Mesher::Impl::finish() {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <sstream>
 #include <utility>
 
 #include "mesh/validate.h"
@@ -44,7 +43,7 @@ std::string reasons_of(const WallReport& wall) {
 }
 
 // One sentence for all such walls of a patch, the worst first: a faceted arc is many edges.
-std::string missed_heights(std::vector<const WallReport*> walls) {
+Sentence missed_heights(std::vector<const WallReport*> walls) {
   std::stable_sort(walls.begin(), walls.end(), [](const WallReport* a, const WallReport* b) {
     return a->height_error > b->height_error;
   });
@@ -54,15 +53,21 @@ std::string missed_heights(std::vector<const WallReport*> walls) {
     most = std::max(most, wall->achieved_max);
     asked += wall->first_height / static_cast<double>(walls.size());
   }
-  std::ostringstream text;
+  std::string named;
   for (std::size_t i = 0; i < std::min(walls.size(), kNamed); ++i) {
-    text << (i > 0 ? ", " : "") << edge_name(walls[i]->edge) << " on " << face_name(walls[i]->face);
+    named += (i > 0 ? ", " : "") + edge_name(walls[i]->edge) + " / " + face_name(walls[i]->face);
   }
-  if (walls.size() > kNamed) text << " and " << walls.size() - kNamed << " more";
-  text << " got first heights from " << least << " to " << most << " mm, off those asked for ("
-       << asked << " mm on average) by up to " << std::lround(100.0 * walls.front()->height_error)
-       << " %";
-  return text.str();
+  const long error = std::lround(100.0 * walls.front()->height_error);
+  if (walls.size() <= kNamed) {
+    return Sentence(
+        "{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %",
+        named, least, most, asked, error);
+  }
+  return Sentence(
+      "{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by "
+      "up "
+      "to {} %",
+      named, walls.size() - kNamed, least, most, asked, error);
 }
 
 }  // namespace
@@ -80,18 +85,19 @@ PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
   for (const FaceId face : faces_) {
     const std::string& defect = model.face(face).defect;
     if (defect.empty()) continue;
-    complain(Severity::kError, "face-defect", face_name(face) + " is not meshed: " + defect);
+    complain(Severity::kError, "face-defect",
+             Sentence("{} is not meshed: {}", face_name(face), defect));
     defective_ = true;
   }
 }
 
-void PatchJob::complain(Severity severity, const char* code, const std::string& text) {
+void PatchJob::complain(Severity severity, const char* code, Sentence sentence) {
   Diagnostic diagnostic;
   diagnostic.severity = severity;
   diagnostic.code = code;
   diagnostic.patch = id_;
   diagnostic.layer = report_.layers;
-  diagnostic.text = text;
+  diagnostic.sentence = std::move(sentence);
   diagnostics_.push_back(std::move(diagnostic));
 }
 
@@ -109,7 +115,8 @@ bool PatchJob::guard(const char* code, const Stage& stage) {
     const std::string name = patch_name(faces_);
     const std::string what = error.what();
     complain(Severity::kError, code,
-             what.find(name) == std::string::npos ? name + ": " + what : what);
+             what.find(name) == std::string::npos ? Sentence("{}: {}", name, what)
+                                                  : Sentence("{}", what));
     return false;
   }
 }
@@ -132,7 +139,7 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
     resolve_heights(evaluator_, boundary, walls_);
     if (walls_.edges.empty()) {
       complain(Severity::kInfo, "no-boundary",
-               patch_name(faces_) + " has no boundary edge that layers could grow from");
+               Sentence("{} has no boundary edge that layers could grow from", patch_name(faces_)));
     }
     try {
       Triangulation made =
@@ -214,10 +221,13 @@ void PatchJob::complete_along_edges(const Discretization& boundary, const Cancel
     }
   }
   if (crossing == 0) return;
-  complain(
-      Severity::kWarning, "elements-cross-edges",
-      patch_name(faces_) + ": " + (crossing > 0 ? std::to_string(crossing) : std::string("its")) +
-          " elements reach over edges inside the patch; lower feature_angle to part its faces");
+  const Sentence some(
+      "{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces",
+      patch_name(faces_), crossing);
+  const Sentence all(
+      "{}: its elements reach over edges inside the patch; lower feature_angle to part its faces",
+      patch_name(faces_));
+  complain(Severity::kWarning, "elements-cross-edges", crossing > 0 ? some : all);
 }
 
 void PatchJob::renumber(PatchId id) {
@@ -233,7 +243,7 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
   if (!meshed_) return;
   if (const std::string fault = find_connectivity_fault(mesh_); !fault.empty()) {
     complain(Severity::kError, "face-not-meshed",
-             patch_name(faces_) + ": its layers broke the mesh: " + fault);
+             Sentence("{}: its layers broke the mesh: {}", patch_name(faces_), fault));
     meshed_ = false;
     return;
   }
@@ -306,13 +316,14 @@ void PatchJob::count_elements(const CancelFlag& cancel) {
 void PatchJob::judge_walls() {
   std::vector<const WallReport*> missed;
   for (const WallReport& wall : wall_reports_) {
-    const std::string name = edge_name(wall.edge) + " on " + face_name(wall.face) + " got ";
+    const std::string edge = edge_name(wall.edge), face = face_name(wall.face);
     const bool none = wall.achieved_max <= 0.0 && !(wall.layers > 0);
     if (none || wall.layers < wall.requested_layers) {
-      std::string text = none ? "no layers" : std::to_string(wall.layers) + " complete layers";
-      if (wall.requested_layers > 0) text += " of " + std::to_string(wall.requested_layers);
+      const std::string reasons = reasons_of(wall);
       complain(Severity::kWarning, none ? "wall-without-layers" : "wall-short-of-layers",
-               name + text + reasons_of(wall));
+               none ? Sentence("{} on {} got no layers{}", edge, face, reasons)
+                    : Sentence("{} on {} got {} complete layers of {}{}", edge, face, wall.layers,
+                               wall.requested_layers, reasons));
     }
     if (wall.height_error > kHeightMissed) missed.push_back(&wall);
   }
@@ -330,8 +341,8 @@ void PatchJob::judge_inverted() {
   for (const FaceH f : inverted_) by_face[face_of(f)].push_back(f);
   for (const auto& [face, elements] : by_face) {
     complain(Severity::kError, "inverted-elements",
-             face_name(face) + ": " + std::to_string(elements.size()) +
-                 " elements are turned over against the surface");
+             Sentence("{}: {} elements are turned over against the surface", face_name(face),
+                      elements.size()));
     diagnostics_.back().point = centroid(corners_of(mesh_, elements.front()));
   }
 }

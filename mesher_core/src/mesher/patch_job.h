@@ -62,7 +62,7 @@ class PatchJob {
  private:
   template <class Stage>
   bool guard(const char* code, const Stage& stage);
-  void complain(Severity severity, const char* code, const std::string& text);
+  void complain(Severity severity, const char* code, Sentence sentence);
   void end_layers();
   void complete(const CancelFlag& cancel);
   int count_inverted(const CancelFlag& cancel);

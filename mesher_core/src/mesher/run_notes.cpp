@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "sizing/initial_nodes.h"
@@ -20,8 +19,10 @@ void note_idle_walls(const Settings& settings, const PatchJobs& jobs,
     if (bounds) continue;
     Diagnostic diagnostic;
     diagnostic.code = "wall-inside";
-    diagnostic.text = edge_name(edge) + " bounds no meshed patch, and no layers grow from it; " +
-                      "listed in boundary, it bounds its faces";
+    diagnostic.sentence = Sentence(
+        "{} bounds no meshed patch, and no layers grow from it; listed in boundary, it bounds its "
+        "faces",
+        edge_name(edge));
     diagnostics.push_back(std::move(diagnostic));
   }
 }
@@ -36,17 +37,19 @@ void note_initial_mesh(const Settings& settings, const PatchJobs& jobs,
     for (const FaceId face : job->faces()) offered += initial->on(face).size();
     taken += job->initial_nodes();
   }
-  std::ostringstream text;
-  text << "the triangulation took " << taken << " of the " << offered
-       << " nodes of the initial mesh; the others lie on edges or too near to their neighbours";
-  if (initial->moved() > 0) {
-    text << "; " << initial->moved() << " nodes lay off the shape, by up to " << initial->farthest()
-         << " mm, and were put onto it";
-  }
   Diagnostic diagnostic;
   diagnostic.severity = Severity::kInfo;
   diagnostic.code = "initial-mesh";
-  diagnostic.text = text.str();
+  diagnostic.sentence = Sentence(
+      "the triangulation took {} of the {} nodes of the initial mesh; the others lie on edges or "
+      "too near to their neighbours",
+      taken, offered);
+  diagnostics.push_back(diagnostic);
+  if (initial->moved() == 0) return;
+  diagnostic.code = "initial-mesh-moved";
+  diagnostic.sentence = Sentence(
+      "{} nodes of the initial mesh lay off the shape, by up to {} mm, and were put onto it",
+      initial->moved(), initial->farthest());
   diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -55,8 +58,8 @@ void note_sewing(const Model& model, std::vector<Diagnostic>& diagnostics) {
   Diagnostic diagnostic;
   diagnostic.severity = Severity::kInfo;
   diagnostic.code = "sewn";
-  diagnostic.text = "sewing joined " + std::to_string(model.joined_edges()) +
-                    " edges; free edges left: " + std::to_string(model.free_edges());
+  diagnostic.sentence = Sentence("sewing joined {} edges; free edges left: {}",
+                                 model.joined_edges(), model.free_edges());
   diagnostics.push_back(std::move(diagnostic));
 }
 

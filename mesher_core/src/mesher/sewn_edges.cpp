@@ -71,7 +71,9 @@ void name_given_edges(const Model& model, MeshResult& result) {
     return piece && name[edge.index()].valid() ? name[edge.index()] : edge;
   };
   for (WallReport& wall : result.walls) wall.edge = given_name(wall.edge);
-  for (Diagnostic& said : result.diagnostics) said.text = renamed(said.text, given_name);
+  for (Diagnostic& said : result.diagnostics) {
+    said.sentence.change([&](const std::string& value) { return renamed(value, given_name); });
+  }
 }
 
 }  // namespace advlayers

@@ -20,20 +20,20 @@ struct SmallPart {
   bool operator<(const SmallPart& o) const { return extent < o.extent; }
 };
 
-void note(std::vector<SmallPart> parts, const char* code, const std::string& what,
+// `all` names every part, `some` tells how many more there are.
+void note(std::vector<SmallPart> parts, const char* code, const Sentence& all, const Sentence& some,
           std::vector<Diagnostic>& diagnostics) {
   if (parts.empty()) return;
   std::stable_sort(parts.begin(), parts.end());
   std::ostringstream text;
-  text << what << ": ";
   for (std::size_t i = 0; i < std::min(parts.size(), kNamed); ++i) {
     text << (i > 0 ? ", " : "") << parts[i].name << " (" << parts[i].extent << " mm)";
   }
-  if (parts.size() > kNamed) text << " and " << parts.size() - kNamed << " more";
   Diagnostic diagnostic;
   diagnostic.severity = Severity::kInfo;
   diagnostic.code = code;
-  diagnostic.text = text.str();
+  diagnostic.sentence =
+      parts.size() > kNamed ? some.about(text.str(), parts.size() - kNamed) : all.about(text.str());
   diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -68,9 +68,13 @@ void note_small_parts(const Model& model, const Settings& settings,
     brief.push_back({edge.length, edge_name(id)});
   }
   note(std::move(brief), "tiny-edges",
-       "shorter than a tenth of the size, and the mesh edges with them", diagnostics);
+       Sentence("shorter than a tenth of the size, and the mesh edges with them: {}"),
+       Sentence("shorter than a tenth of the size, and the mesh edges with them: {} and {} more"),
+       diagnostics);
   note(std::move(narrow), "sliver-faces",
-       "narrower than a tenth of the size, and their elements with them", diagnostics);
+       Sentence("narrower than a tenth of the size, and their elements with them: {}"),
+       Sentence("narrower than a tenth of the size, and their elements with them: {} and {} more"),
+       diagnostics);
 }
 
 }  // namespace advlayers

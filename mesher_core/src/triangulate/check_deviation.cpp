@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -56,16 +55,12 @@ void add_border_edges(const SurfaceMesh& mesh, VertexH v, std::set<EdgeId>& edge
 }
 
 Diagnostic diagnostic(Severity severity, const std::string& code, FaceId face, const Offence& o,
-                      const std::string& fault) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s: %d %s %s, the worst leans by %.1f degrees",
-                face_name(face).c_str(), o.count, o.count == 1 ? "triangle" : "triangles",
-                fault.c_str(), o.worst / kDegree);
+                      const Sentence& said) {
   Diagnostic d;
   d.severity = severity;
   d.code = code;
   d.point = o.point;
-  d.text = text;
+  d.sentence = said.about(face_name(face), o.count, std::lround(o.worst / kDegree));
   return d;
 }
 
@@ -102,12 +97,15 @@ Deviations check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
   Deviations found;
   found.edges_of_inverted.assign(edges.begin(), edges.end());
   for (const auto& [face, o] : inverted) {
-    found.diagnostics.push_back(diagnostic(Severity::kError, "triangulation-inverted", face, o,
-                                           "turned over against the surface"));
+    found.diagnostics.push_back(diagnostic(
+        Severity::kError, "triangulation-inverted", face, o,
+        Sentence(
+            "{}: triangles turned over against the surface: {}; the worst leans by {} degrees")));
   }
   for (const auto& [face, o] : deviating) {
     found.diagnostics.push_back(diagnostic(Severity::kWarning, "triangulation-deviates", face, o,
-                                           "more than 30 degrees off the surface"));
+                                           Sentence("{}: triangles more than 30 degrees off the "
+                                                    "surface: {}; the worst leans by {} degrees")));
   }
   return found;
 }

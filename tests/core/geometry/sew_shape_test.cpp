@@ -92,7 +92,7 @@ TEST_P(LooseFaces, AreMeshedWatertight) {
   const auto said = std::find_if(mesh.diagnostics.begin(), mesh.diagnostics.end(),
                                  [](const Diagnostic& d) { return d.code == "sewn"; });
   ASSERT_NE(said, mesh.diagnostics.end());
-  EXPECT_EQ(said->text,
+  EXPECT_EQ(said->sentence.english(),
             "sewing joined " + std::to_string(model.joined_edges()) + " edges; free edges left: 0");
 }
 
@@ -145,7 +145,8 @@ TEST(Sewing, ALongEdgeIsAllItsPieces) {
   for (const Diagnostic& d : mesh_of(model, settings).diagnostics) {
     if (d.code != "wall-short-of-layers") continue;
     ++told;
-    EXPECT_LE(std::stoul(d.text.substr(4)), model.given_edges()) << d.text;
+    EXPECT_LE(std::stoul(d.sentence.english().substr(4)), model.given_edges())
+        << d.sentence.english();
   }
   EXPECT_EQ(told, 5u);  // two pieces between two faces, and one of one face
 }

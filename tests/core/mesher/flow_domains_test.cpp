@@ -214,10 +214,10 @@ TEST(Gaps, HeightsThatDoNotFitTheSizeAreNamed) {
   const MeshResult mesh = mesh_of(model, settings);
   std::vector<std::string> told;  // once for the patch, not for each of its edges
   for (const Diagnostic& d : mesh.diagnostics) {
-    if (d.code == "wall-height-missed") told.push_back(d.text);
+    if (d.code == "wall-height-missed") told.push_back(d.sentence.english());
   }
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_NE(told[0].find(" on Face1 and 1 more got first heights"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find(" / Face1 and 1 more: first heights"), std::string::npos) << told[0];
 }
 
 // A plate with a hundred holes: rings of quads alone around each.

@@ -269,10 +269,12 @@ TEST(InitialMesh, OffTheShapeByLittleIsPutOntoIt) {
   set(settings, initial);
   const MeshResult mesh = mesh_of(model, settings);
   for (const Vec3& p : mesh.nodes) EXPECT_NEAR(p.norm(), 10, 1e-9);
-  const auto note = std::find_if(mesh.diagnostics.begin(), mesh.diagnostics.end(),
-                                 [](const Diagnostic& d) { return d.code == "initial-mesh"; });
+  const auto note =
+      std::find_if(mesh.diagnostics.begin(), mesh.diagnostics.end(),
+                   [](const Diagnostic& d) { return d.code == "initial-mesh-moved"; });
   ASSERT_NE(note, mesh.diagnostics.end());
-  EXPECT_NE(note->text.find("by up to 0.2 mm"), std::string::npos) << note->text;
+  const std::string said = note->sentence.english();
+  EXPECT_NE(said.find("by up to 0.2 mm"), std::string::npos) << said;
 }
 
 // Seams, poles, holes, patches of several faces: as sound as without, and the same for any number

@@ -247,7 +247,7 @@ TEST(InnerEdges, FacesFarThinnerThanTheElementsPartThem) {
   const MeshResult mesh = mesh_of(model, settings);
   ASSERT_EQ(mesh.patches.size(), 1u);
   for (const Diagnostic& diagnostic : mesh.diagnostics) {
-    EXPECT_NE(diagnostic.severity, Severity::kError) << diagnostic.text;
+    EXPECT_NE(diagnostic.severity, Severity::kError) << diagnostic.sentence.english();
   }
   const double elements = static_cast<double>(mesh.quads.size() + mesh.triangles.size());
   const double edges = static_cast<double>(uses_of_edges(mesh).size());

@@ -61,7 +61,7 @@ TEST_P(FourSided, StripBetweenMatchEdgesIsAllQuads) {
       EXPECT_TRUE(mesh.triangles.empty()) << mesh.triangles.size();
       expect_as_asked(mesh, 10);
       for (const Diagnostic& d : mesh.diagnostics)
-        EXPECT_NE(d.severity, Severity::kError) << d.text;
+        EXPECT_NE(d.severity, Severity::kError) << d.sentence.english();
     }
   }
 }
@@ -155,7 +155,7 @@ TEST(MatchEdges, TwoHeightsOnOneEdgeAreReported) {
   expect_watertight(mesh);
   ASSERT_EQ(mesh.diagnostics.size(), 1u);
   EXPECT_EQ(mesh.diagnostics[0].code, "match-mean");
-  EXPECT_NE(mesh.diagnostics[0].text.find(edge_name(shared)), std::string::npos);
+  EXPECT_NE(mesh.diagnostics[0].sentence.english().find(edge_name(shared)), std::string::npos);
 }
 
 TEST(MatchEdges, TooSlantOnesEndTheLayersAndAreNamed) {

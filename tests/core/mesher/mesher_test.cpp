@@ -76,7 +76,7 @@ TEST(Mesher, LeavesOutABadFaceAndNamesIt) {
   const MeshResult result = mesh_of(model, settings_of(0.5));
   ASSERT_EQ(result.diagnostics.size(), 1u);
   EXPECT_EQ(result.diagnostics[0].severity, Severity::kError);
-  EXPECT_NE(result.diagnostics[0].text.find("Face7"), std::string::npos);
+  EXPECT_NE(result.diagnostics[0].sentence.english().find("Face7"), std::string::npos);
   EXPECT_EQ(result.diagnostics[0].patch, PatchId(6));
   std::set<FaceId> faces(result.quad_face.begin(), result.quad_face.end());
   EXPECT_EQ(faces.size(), 6u);
@@ -134,7 +134,7 @@ TEST(Mesher, TellsOfAWallThatBoundsNothing) {
   const MeshResult result = mesh_of(model, settings);
   ASSERT_EQ(result.diagnostics.size(), 1u);
   EXPECT_EQ(result.diagnostics[0].code, "wall-inside");
-  EXPECT_NE(result.diagnostics[0].text.find(edge_name(settings.walls[0].edges[0])),
+  EXPECT_NE(result.diagnostics[0].sentence.english().find(edge_name(settings.walls[0].edges[0])),
             std::string::npos);
 }
 

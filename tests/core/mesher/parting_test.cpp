@@ -79,7 +79,7 @@ TEST_F(SmallDisc, IsMeshedAsIfItHadBeenPartedFromTheOutset) {
     ++parted;
     for (std::size_t f = 0; f < model.faces().size(); ++f) {
       const std::string name = face_name(FaceId(f));
-      if (note->text.find(name) == std::string::npos) continue;
+      if (note->sentence.english().find(name) == std::string::npos) continue;
       for (const CoEdge& side : model.faces()[f].loops[0]) {
         if (!side.seam) settings.boundary_edges.push_back(side.edge);
       }

@@ -18,9 +18,9 @@ std::string told(const MeshResult& mesh, const std::string& code) {
   std::string text;
   for (const Diagnostic& d : mesh.diagnostics) {
     if (d.code != code) continue;
-    EXPECT_TRUE(text.empty()) << "said twice: " << d.text;
+    EXPECT_TRUE(text.empty()) << "said twice: " << d.sentence.english();
     EXPECT_EQ(d.severity, Severity::kInfo);
-    text = d.text;
+    text = d.sentence.english();
   }
   return text;
 }

@@ -11,7 +11,9 @@ import FreeCADGui
 import pytest
 from PySide import QtCore, QtGui
 
+from advlayers import check, mesh_data
 from advlayers.language import tr
+from advlayers.sentence import of_diagnostic
 from window import ROOT, child, edit, events, panel_of, press_cancel
 
 sys.path.append(os.path.join(ROOT, "docs"))
@@ -63,6 +65,29 @@ def test_the_window_speaks_german():
         FreeCADGui.setLocale("English")
         events(0.2)
     assert tr("Stop") == "Stop"
+
+
+@pytest.mark.parametrize("language, words", (
+    ("German", "von 30 Schichten"), ("French", "couches sur 30")))
+def test_what_the_mesher_has_to_say_is_translated(box, language, words):
+    mesh = advlayers.make_layer_mesh(
+        box, size=2.0, layers=30, walls=[{"edges": ["Edge1"]}], match=["Edge5", "Edge9"])
+    assert mesh.Messages and all(" (" in text for text in mesh.Messages)  # in English, with a code
+    FreeCADGui.setLocale(language)
+    try:
+        found = check.check(mesh)
+        assert any(words in finding.text for finding in found)
+        report = mesh_data.of_object(mesh).report
+        forms = {text for _context, text in make_translations.texts()}
+        for entry in report["diagnostics"]:
+            sentence = of_diagnostic(entry)
+            assert sentence.english == entry["text"]
+            assert entry["form"] in forms
+            assert sentence.translated != entry["text"]
+    finally:
+        FreeCADGui.setLocale("English")
+        events()
+    assert any("of 30 layers" in finding.text for finding in check.check(mesh))
 
 
 @pytest.mark.parametrize("language", ("English", "German", "French"))
