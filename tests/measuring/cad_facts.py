@@ -6,6 +6,7 @@ import numpy as np
 from freecad_part import FreeCAD
 
 Vector = FreeCAD.Vector
+ON_SURFACE = 1e-6  # [mm]
 
 
 def euler_number(shape) -> int:
@@ -47,11 +48,37 @@ def tips(shape) -> np.ndarray:
     return np.array(points, float).reshape(-1, 3)
 
 
+def _parameters(surface, points) -> np.ndarray:
+    """(n, 2), of points on the surface. The kernel's search may end beside a point where sheets lie
+    close together: Newton's from the others' feet goes on, or the point is left out."""
+    feet = [surface.parameter(Vector(*point)) for point in points]
+    sure = [uv for uv, point in zip(feet, points) if _miss(surface, uv, point) < ON_SURFACE]
+    for uv, point in zip(feet, points):
+        if _miss(surface, uv, point) >= ON_SURFACE:
+            found = (_newton(surface, start, point) for start in sure)
+            sure += [uv for uv in found if _miss(surface, uv, point) < ON_SURFACE][:1]
+    return np.array(sure)
+
+
+def _miss(surface, uv, point) -> float:
+    return (surface.value(*uv) - Vector(*point)).Length
+
+
+def _newton(surface, uv, point):
+    for _ in range(50):
+        away = np.array(Vector(*point) - surface.value(*uv))
+        slopes = np.array([surface.getDN(*uv, 1, 0), surface.getDN(*uv, 0, 1)]).T
+        uv = tuple(np.array(uv) + np.linalg.lstsq(slopes, away, rcond=None)[0])
+    return uv
+
+
 def turn_under(face, points) -> float:
     """The largest angle [deg] between two of the surface's normals under some points on the face,
     sampled over their box of parameters."""
     surface = face.Surface
-    uv = np.array([surface.parameter(Vector(*point)) for point in points])
+    uv = _parameters(surface, points)
+    if not len(uv):
+        return 0.0
     for k, period in enumerate((surface.UPeriod() if surface.isUPeriodic() else 0.0,
                                 surface.VPeriod() if surface.isVPeriodic() else 0.0)):
         if period:
