@@ -29,6 +29,7 @@ class InitialInsertion {
 
   int run(const std::vector<SurfacePoint>& points) {
     std::vector<Vec2> in_sheet;
+    in_sheet.reserve(points.size());
     for (const SurfacePoint& p : points) in_sheet.push_back(sheet_.sheet().from_uv({p.u, p.v}));
     int taken = 0;
     for (const int i : hilbert_order(in_sheet)) {
