@@ -59,6 +59,7 @@ class ControlTable:
         if marked in self._rows:
             self._table.selectRow(self._rows.index(marked))
         else:
+            self._table.clearSelection()
             self._edit(None)
 
     def _buttons(self):
@@ -180,11 +181,16 @@ class ControlTable:
     def _renamed(self, item) -> None:
         if item.column() == _NAME and item.text().strip():
             self._rows[item.row()].Label = item.text().strip()
-            self._changed()
+            self._changed_in_table(self._rows[item.row()])
 
     def _set_condition(self, control, index: int) -> None:
         control.Condition = controls.CONDITIONS[index]
+        self._changed_in_table(control)
+
+    def _changed_in_table(self, control) -> None:
         self._changed()
+        if control is self._marked():
+            self._edit(control)  # shows it as it is now
 
     def _edit(self, control) -> None:
         self.release()

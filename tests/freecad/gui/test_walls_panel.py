@@ -159,6 +159,29 @@ def test_a_removed_row_removes_the_wall(mesh, box):
     assert not [entry for entry in box.Document.Objects if entry.Name.startswith("Wall")]
 
 
+def test_the_table_and_the_fields_below_it_agree(mesh, box):
+    child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(1)
+    for edge in ("Edge1", "Edge5"):
+        select((box, edge))
+        click("AdvLayersAddWall")
+    first, second = mesh.WallList
+    table().selectRow(0)
+    table().cellWidget(0, 0).setCurrentIndex(2)
+    assert first.Condition == "Off"
+    assert child(QtGui.QComboBox, "AdvLayers_condition").currentIndex() == 2
+    table().item(0, 1).setText("slip")
+    assert child(QtGui.QLineEdit, "AdvLayers_control_name").text() == "slip"
+    child(QtGui.QComboBox, "AdvLayers_condition").setCurrentIndex(1)
+    assert table().cellWidget(0, 0).currentIndex() == 1
+    click("AdvLayersRemoveControl")
+    assert mesh.WallList == [second] and table().selectedRanges() == []
+    assert table().cellWidget(0, 0).currentIndex() == 0
+    table().selectRow(0)
+    events()
+    assert child(QtGui.QLineEdit, "AdvLayers_control_name").text() == second.Label
+    press_cancel()
+
+
 def test_heights_are_shown_before_meshing(mesh, box):
     heights = panel_of(mesh).heights
     child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(1)
