@@ -23,13 +23,6 @@
 namespace advlayers::test {
 namespace {
 
-Settings settings_of(double size) {
-  Settings settings;
-  settings.size = size;
-  settings.first_height = size / 10;
-  return settings;
-}
-
 // Triangles alone, without layers.
 Settings plain_settings(double size) {
   Settings settings = settings_of(size);

@@ -30,11 +30,8 @@
 namespace advlayers::test {
 namespace {
 
-Settings settings_of(double size) {
-  Settings settings;
-  settings.size = size;
-  settings.first_height = size / 10;
-  settings.growth = 1.2;
+Settings smooth_settings_of(double size) {
+  Settings settings = settings_of(size);
   settings.feature_angle = 20.0;
   return settings;
 }
@@ -68,7 +65,7 @@ void expect_on_own_faces(const Model& model, const MeshResult& mesh, double off)
 class SplitCylinder : public testing::TestWithParam<int> {};
 
 TEST_P(SplitCylinder, HasTheFiguresOfTheWholeOne) {
-  const Settings settings = settings_of(1.0);
+  const Settings settings = smooth_settings_of(1.0);
   const Model one = model_of(split_cylinder(1)), model = model_of(split_cylinder(GetParam()));
   const MeshResult whole = mesh_of(one, settings), mesh = mesh_of(model, settings);
   ASSERT_EQ(mesh.patches.size(), 1u);
@@ -124,7 +121,7 @@ void expect_layers_on_both_sides(const MeshResult& mesh, EdgeId edge) {
 
 TEST(EdgesByHand, ABoundaryPartsFacesThatMeetSmoothly) {
   const Model model = model_of(split_cylinder(3));
-  Settings settings = settings_of(1.0);
+  Settings settings = smooth_settings_of(1.0);
   settings.boundary_edges = lines_of(model);
   ASSERT_EQ(settings.boundary_edges.size(), 3u);
   settings.first_height = 0.2;
@@ -136,7 +133,7 @@ TEST(EdgesByHand, ABoundaryPartsFacesThatMeetSmoothly) {
 
 TEST(EdgesByHand, ASmoothEdgeJoinsFacesAndLeavesTheOthersApart) {
   const Model model = model_of(split_cylinder(3));
-  Settings settings = settings_of(1.0);
+  Settings settings = smooth_settings_of(1.0);
   settings.feature_angle = 0.0;
   settings.smooth_edges = lines_of(model);
   const MeshResult joined = mesh_of(model, settings);
@@ -161,7 +158,7 @@ class Roof : public testing::TestWithParam<double> {};
 
 TEST_P(Roof, IsMeshedAcrossItsRidgeWithTheHeightsOfAFlatOne) {
   const Model model = model_of(roof(GetParam()));
-  Settings settings = settings_of(0.8);
+  Settings settings = smooth_settings_of(0.8);
   settings.feature_angle = 0.0;
   settings.smooth_edges = lines_of(model);
   ASSERT_EQ(settings.smooth_edges.size(), 1u);
@@ -181,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Roof, testing::Values(15.0, 45.0, 69.0));
 // The patch lies on both sides of the edge: it still goes on across the other one.
 TEST(EdgesByHand, LayersGrowOnBothSidesOfACutThroughAPatch) {
   const Model model = model_of(split_cylinder(2));
-  Settings settings = settings_of(0.6);
+  Settings settings = smooth_settings_of(0.6);
   settings.boundary_edges = {lines_of(model).front()};
   const MeshResult mesh = mesh_of(model, settings);
   EXPECT_EQ(mesh.patches.size(), 1u);
@@ -192,7 +189,7 @@ TEST(EdgesByHand, LayersGrowOnBothSidesOfACutThroughAPatch) {
 
 TEST(EdgesByHand, TheSeamOfAClosedFaceCanBeAWall) {
   const Model model = model_of(split_cylinder(1));
-  Settings settings = settings_of(0.6);
+  Settings settings = smooth_settings_of(0.6);
   for (const CoEdge& coedge : model.faces()[0].loops[0]) {
     if (coedge.seam) settings.boundary_edges.assign(1, coedge.edge);
   }
@@ -218,7 +215,7 @@ TEST(EdgesByHand, LayersFanOutAboutTheEndOfASlit) {
   sewing.Add(squares);
   sewing.Perform();
   const Model model = model_of(sewing.SewedShape());
-  Settings settings = settings_of(0.8);
+  Settings settings = smooth_settings_of(0.8);
   const std::vector<EdgeId> lines = lines_of(model);
   ASSERT_EQ(lines.size(), 4u);
   settings.boundary_edges = {lines[0]};
@@ -240,7 +237,7 @@ TEST(InnerEdges, FacesFarThinnerThanTheElementsPartThem) {
     wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0.2 * k, 0, 0), gp_Pnt(0.2 * (k + 1), 0, 0)).Edge());
   }
   const Model model = model_of(BRepPrimAPI_MakePrism(wire.Wire(), gp_Vec(0, 12, 0)).Shape());
-  Settings settings = settings_of(4.0);
+  Settings settings = smooth_settings_of(4.0);
   for (std::size_t e = 0; e < model.edges().size(); ++e) {
     if (model.edges()[e].faces.size() == 1) settings.off_edges.emplace_back(e);
   }
@@ -275,7 +272,8 @@ TEST(InnerEdges, FacetsOfOnePlaneLeaveNoTrace) {
   ASSERT_EQ(model.faces().size(), 12u);
   EXPECT_TRUE(model.triangular());
   const Model box = model_of(BRepPrimAPI_MakeBox(10, 8, 6).Shape());
-  const MeshResult mesh = mesh_of(model, settings_of(0.8)), whole = mesh_of(box, settings_of(0.8));
+  const MeshResult mesh = mesh_of(model, smooth_settings_of(0.8)),
+                   whole = mesh_of(box, smooth_settings_of(0.8));
   EXPECT_EQ(mesh.patches.size(), 6u);
   EXPECT_EQ(mesh.figures.inverted, 0);
   EXPECT_NEAR(mesh.figures.quad_percent, whole.figures.quad_percent, 1.0);
@@ -290,7 +288,7 @@ TEST(InnerEdges, FilletedBoxIsOnePatchOnWholeFaces) {
     fillet.Add(1.5, TopoDS::Edge(it.Current()));
   }
   const Model model = model_of(fillet.Shape());
-  const MeshResult mesh = mesh_of(model, settings_of(0.8));
+  const MeshResult mesh = mesh_of(model, smooth_settings_of(0.8));
   ASSERT_EQ(mesh.patches.size(), 1u);
   EXPECT_EQ(mesh.figures.inverted, 0);
   expect_on_own_faces(model, mesh, 1e-6);

@@ -11,6 +11,14 @@
 
 namespace advlayers::test {
 
+// Layers from a tenth of the size on.
+inline Settings settings_of(double size) {
+  Settings settings;
+  settings.size = size;
+  settings.first_height = size / 10;
+  return settings;
+}
+
 inline MeshResult mesh_of(const Model& model, const Settings& settings) {
   Mesher mesher(model, settings);
   while (mesher.next()) {

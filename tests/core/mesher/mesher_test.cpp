@@ -20,14 +20,6 @@
 namespace advlayers::test {
 namespace {
 
-Settings settings_of(double size) {
-  Settings settings;
-  settings.size = size;
-  settings.first_height = size / 10;
-  settings.growth = 1.2;
-  return settings;
-}
-
 TEST(Mesher, IsTheSameForAnyNumberOfThreads) {
   const Model model = model_of(BRepPrimAPI_MakeCylinder(4, 9).Shape());
   Settings settings = settings_of(0.5);
