@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "base/directions.h"
@@ -25,7 +26,10 @@ using Normals = std::array<Vec3, kLooks>;  // ever farther ahead; zero where the
 class BendFinder {
  public:
   explicit BendFinder(LayerState& state)
-      : state_(state), mesh_(state.mesh), ahead_(state.front.nodes().size()) {}
+      : state_(state),
+        mesh_(state.mesh),
+        ahead_(state.front.nodes().size()),
+        asked_by_(state.mesh.vertex_capacity()) {}
 
   // Whether the edge from node i to node k would lie across a bend within reach.
   bool before_bend(int i, int k) {
@@ -63,7 +67,7 @@ class BendFinder {
   }
 
   // Looking ahead on the surface itself costs far more.
-  bool core_turns(VertexH node, double reach) const {
+  bool core_turns(VertexH node, double reach) {
     std::vector<VertexH> reached{node};
     for (std::size_t k = 0; k < reached.size(); ++k) {
       const HalfedgeH first = mesh_.outgoing(reached[k]);
@@ -73,7 +77,7 @@ class BendFinder {
         h = mesh_.rotate_cw(h);
         const bool near = (mesh_.position(w) - mesh_.position(node)).norm() <= reach;
         if (!near || !is_core_vertex(mesh_, w)) continue;
-        if (std::find(reached.begin(), reached.end(), w) != reached.end()) continue;
+        if (std::exchange(asked_by_[w.index()], node) == node) continue;
         const double turn = angle_between(mesh_.data(w).normal, mesh_.data(node).normal);
         if (turn > kMostEdgeBend || reached.size() > kMostReached) return true;
         reached.push_back(w);
@@ -102,7 +106,8 @@ class BendFinder {
 
   LayerState& state_;
   const SurfaceMesh& mesh_;
-  std::vector<Ahead> ahead_;  // by front node
+  std::vector<Ahead> ahead_;       // by front node
+  std::vector<VertexH> asked_by_;  // by vertex: the last front vertex that looked at it
 };
 
 }  // namespace
