@@ -1,3 +1,4 @@
+// A sentence for the user as a form and its values, so that it can be said in other languages.
 #pragma once
 
 #include <sstream>

@@ -1,3 +1,4 @@
+// Work shared out over threads; nothing of it shows which thread did what.
 #pragma once
 
 #include <cstddef>
