@@ -32,6 +32,14 @@ def attach_view(document_object) -> None:
         view_provider.attach_to(document_object)
 
 
+def show_mesh(document_object) -> None:
+    """Its first mesh takes the place of the shape in the window: both at once cover each other."""
+    if FreeCAD.GuiUp:
+        from advlayers_gui import view_provider
+
+        view_provider.show_mesh(document_object)
+
+
 def prepare_view(document_object) -> None:
     """Before a mesh is read from a file: it is drawn as soon as it is there."""
     if FreeCAD.GuiUp:

@@ -5,31 +5,32 @@ from typing import List
 
 import FreeCADGui
 
-from advlayers_gui import make_commands, mesh_commands
+from advlayers_gui import colour_commands, make_commands, mesh_commands
 
 # In the order of toolbar and menu; None: a separator.
 COMMANDS = (
     make_commands.LayerMesh, make_commands.Wall, make_commands.Size, make_commands.Group, None,
     mesh_commands.Update, mesh_commands.Check, mesh_commands.FollowReferences,
-    mesh_commands.AcceptReferences, None,
+    mesh_commands.AcceptReferences, None, colour_commands.ColourBy, None,
     mesh_commands.Export, mesh_commands.ToMesh, mesh_commands.FillVolume, mesh_commands.TakeOver,
 )
 # What a right click on a layer mesh, or on its children, offers.
 CONTEXT = ("Wall", "Size", "Group", "Update", "Check", "FollowReferences", "AcceptReferences",
-           "Export", "ToMesh", "FillVolume")
+           "ColourBy", "Export", "ToMesh", "FillVolume")
 
 
 def register() -> List[str]:
     """Makes the commands known to FreeCAD, once; returns their names as the toolbar has them."""
     known = FreeCADGui.listCommands()
-    names = []
-    for kind in COMMANDS:
-        name = f"AdvLayers_{kind.NAME}" if kind else "Separator"
-        names.append(name)
+    for kind in (*colour_commands.ColourBy.MEMBERS, *filter(None, COMMANDS)):
         # Another command of that name would leave the buttons of the first one to themselves.
-        if kind and name not in known:
-            FreeCADGui.addCommand(name, kind())
-    return names
+        if _name(kind) not in known:
+            FreeCADGui.addCommand(_name(kind), kind())
+    return [_name(kind) if kind else "Separator" for kind in COMMANDS]
+
+
+def _name(kind) -> str:
+    return f"AdvLayers_{kind.NAME}"
 
 
 def context_commands() -> List[str]:

@@ -12,6 +12,8 @@ from advlayers.element_mesh import ElementMesh
 from advlayers.errors import InputError
 from advlayers.language import tr
 from advlayers.mesh_data import MeshData, Place
+from advlayers.mesh_properties import property_settings
+from advlayers_gui import view_provider
 from advlayers_gui.control_table import ControlTable
 from advlayers_gui.field_scene import MARK_COLOUR, FieldScene, growing_pieces, markers
 from advlayers_gui.mesh_task import Canvas, Outcome
@@ -109,9 +111,8 @@ class MeshPanel(TaskPanel):
         self.leave()
         if self._object.AutoUpdate:
             self._object.touch()
-        meshed = self._object.FemMesh.NodeCount > 0
-        self._object.Part.ViewObject.Visibility = not meshed
-        self._object.ViewObject.Visibility = True
+        if self._object.FemMesh.NodeCount:
+            view_provider.show_mesh(self._object)
         return super().accept()
 
     def _clean_up(self) -> None:
@@ -158,7 +159,7 @@ class MeshPanel(TaskPanel):
         self._faces.show(self._object.Faces)
         inside.addWidget(self._faces.widget)
         layout.addWidget(faces)
-        entries = {entry.key: entry for entry in layer_mesh.property_settings()
+        entries = {entry.key: entry for entry in property_settings()
                    if entry.key != "faces"}
         form = QtGui.QFormLayout()
         layout.addLayout(form)

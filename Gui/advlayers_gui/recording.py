@@ -4,7 +4,8 @@ from __future__ import annotations
 from typing import Any, Dict, List
 
 import advlayers
-from advlayers import controls, layer_mesh
+from advlayers import controls
+from advlayers.mesh_properties import property_settings
 from advlayers.properties import property_name
 from advlayers_gui.command import do, in_code
 
@@ -51,7 +52,7 @@ def _properties(thing) -> Dict[str, str]:
         names += [name for name in ("Condition", "Label") if hasattr(thing, name)]
         return {**{name: _code(getattr(thing, name)) for name in names},
                 "References": _references(thing)}
-    names = [entry.property for entry in layer_mesh.property_settings()]
+    names = [entry.property for entry in property_settings()]
     return {name: _code(getattr(thing, name)) for name in names + ["GrowFromAll", "AutoUpdate"]}
 
 

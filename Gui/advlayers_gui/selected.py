@@ -1,12 +1,14 @@
 """What is selected in the window, as the commands need it."""
 from __future__ import annotations
 
-from typing import Any, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import FreeCAD
 import FreeCADGui
 
 from advlayers import controls, faceted, layer_mesh
+from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.picked_names import names_on
 
 Pick = Tuple[Any, Tuple[str, ...]]
@@ -33,18 +35,29 @@ def all_layer_meshes() -> List[Any]:
 
 
 def source() -> Optional[Tuple[Any, List[str]]]:
-    """The first selected object that has a shape, and its selected faces; of a body's last feature
-    the body, which stays when further features come. A Mesh object counts as well."""
+    """The selected object that has a shape, and its selected faces; of a body's last feature the
+    body, which stays when further features come. A Mesh object counts as well. Raises InputError
+    where there are several."""
+    found: Dict[Any, List[str]] = {}
     for entry in FreeCADGui.Selection.getSelectionEx():
         if faceted.is_mesh(entry.Object):
-            return entry.Object, []
-        if _has_shape(entry.Object):
-            faces = [name for name in entry.SubElementNames if name.startswith("Face")]
-            body = entry.Object.getParentGeoFeatureGroup()
-            if getattr(body, "Tip", None) is not entry.Object:
-                return entry.Object, faces
-            return body, names_on(body, [(entry.Object, faces)])
-    return None
+            found[entry.Object] = []
+        elif _has_shape(entry.Object):
+            owner, faces = _of_body(entry.Object, entry.SubElementNames)
+            found.setdefault(owner, []).extend(faces)
+    if len(found) > 1:
+        labels = ", ".join(owner.Label for owner in found)
+        raise InputError("", tr("Select one shape, not several ({}): a layer mesh is of one, which "
+                                "may be a compound.").format(labels))
+    return next(iter(found.items()), None)
+
+
+def _of_body(document_object, names) -> Tuple[Any, List[str]]:
+    faces = [name for name in names if name.startswith("Face")]
+    body = document_object.getParentGeoFeatureGroup()
+    if getattr(body, "Tip", None) is not document_object:
+        return document_object, faces
+    return body, names_on(body, [(document_object, faces)])
 
 
 def picks() -> List[Pick]:

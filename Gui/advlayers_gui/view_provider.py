@@ -150,6 +150,12 @@ def _give_provider(document_object, view_object) -> None:
         view_object.Proxy.attach(view_object)
 
 
+def show_mesh(document_object) -> None:
+    """In place of the shape."""
+    document_object.Part.ViewObject.Visibility = False
+    document_object.ViewObject.Visibility = True
+
+
 def keep_all_faces(document_object) -> None:
     """FreeCAD hides faces between two volumes; a surface mesh has none, and to look for them takes
     seconds, or minutes, where layers make elements crowd. Only below a number of faces does it keep

@@ -123,6 +123,72 @@
     </message>
 </context>
 <context>
+    <name>AdvLayers_ColourBy</name>
+    <message>
+        <source>Colour by</source>
+        <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Colours the selected layer meshes, or all of the document, by one of their fields</source>
+        <translation>Färbt die gewählten Schichtnetze, oder alle des Dokuments, nach einem ihrer Felder</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByAspectRatio</name>
+    <message>
+        <source>Aspect Ratio</source>
+        <translation>Seitenverhältnis</translation>
+    </message>
+    <message>
+        <source>Colours the elements by their longest side over their shortest</source>
+        <translation>Färbt die Elemente nach dem Verhältnis ihrer längsten zu ihrer kürzesten Seite</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByDiagnostics</name>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Shows the poor elements, and the places that the mesher's messages are about</source>
+        <translation>Zeigt die schlechten Elemente und die Stellen, von denen die Meldungen des Vernetzers handeln</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByHeightError</name>
+    <message>
+        <source>Colours the elements of layers by how far their height is from the one asked for</source>
+        <translation>Färbt die Elemente der Schichten danach, wie weit ihre Höhe von der verlangten abweicht</translation>
+    </message>
+    <message>
+        <source>Height Error</source>
+        <translation>Höhenfehler</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByLayer</name>
+    <message>
+        <source>Colours the elements by the layer that they belong to</source>
+        <translation>Färbt die Elemente nach der Schicht, zu der sie gehören</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByQuality</name>
+    <message>
+        <source>Colours the elements by their quality, from 0 to 1</source>
+        <translation>Färbt die Elemente nach ihrer Qualität, von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+</context>
+<context>
     <name>AdvLayers_Export</name>
     <message>
         <source>Export Mesh…</source>
@@ -208,6 +274,17 @@
     <message>
         <source>Makes a Mesh object of the layer mesh, each quad as two triangles</source>
         <translation>Macht aus dem Schichtnetz ein Mesh-Objekt, jedes Viereck als zwei Dreiecke</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_Uncoloured</name>
+    <message>
+        <source>No Colours</source>
+        <translation>Ohne Farben</translation>
+    </message>
+    <message>
+        <source>Shows the elements in one colour, as FreeCAD shows a FEM mesh</source>
+        <translation>Zeigt die Elemente in einer Farbe, wie FreeCAD ein FEM-Netz zeigt</translation>
     </message>
 </context>
 <context>
@@ -509,6 +586,10 @@
     <message>
         <source>Select one layer mesh first.</source>
         <translation>Wählen Sie zuerst ein Schichtnetz.</translation>
+    </message>
+    <message>
+        <source>Select one shape, not several ({}): a layer mesh is of one, which may be a compound.</source>
+        <translation>Wählen Sie eine einzige Form, nicht mehrere ({}): ein Schichtnetz gehört zu einer, die ein Verbund sein darf.</translation>
     </message>
     <message>
         <source>Select the layer mesh as well: there are several.</source>

@@ -123,6 +123,72 @@
     </message>
 </context>
 <context>
+    <name>AdvLayers_ColourBy</name>
+    <message>
+        <source>Colour by</source>
+        <translation>Colorer selon</translation>
+    </message>
+    <message>
+        <source>Colours the selected layer meshes, or all of the document, by one of their fields</source>
+        <translation>Colore les maillages en couches sélectionnés, ou tous ceux du document, selon un de leurs champs</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByAspectRatio</name>
+    <message>
+        <source>Aspect Ratio</source>
+        <translation>Rapport d'aspect</translation>
+    </message>
+    <message>
+        <source>Colours the elements by their longest side over their shortest</source>
+        <translation>Colore les éléments selon le rapport de leur plus long côté au plus court</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByDiagnostics</name>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnostics</translation>
+    </message>
+    <message>
+        <source>Shows the poor elements, and the places that the mesher's messages are about</source>
+        <translation>Montre les éléments médiocres et les endroits dont parlent les messages du mailleur</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByHeightError</name>
+    <message>
+        <source>Colours the elements of layers by how far their height is from the one asked for</source>
+        <translation>Colore les éléments des couches selon l'écart entre leur hauteur et celle demandée</translation>
+    </message>
+    <message>
+        <source>Height Error</source>
+        <translation>Erreur de hauteur</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByLayer</name>
+    <message>
+        <source>Colours the elements by the layer that they belong to</source>
+        <translation>Colore les éléments selon la couche à laquelle ils appartiennent</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Couche</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_ColourByQuality</name>
+    <message>
+        <source>Colours the elements by their quality, from 0 to 1</source>
+        <translation>Colore les éléments selon leur qualité, de 0 à 1</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualité</translation>
+    </message>
+</context>
+<context>
     <name>AdvLayers_Export</name>
     <message>
         <source>Export Mesh…</source>
@@ -208,6 +274,17 @@
     <message>
         <source>Makes a Mesh object of the layer mesh, each quad as two triangles</source>
         <translation>Fait du maillage en couches un objet Mesh, chaque quadrangle en deux triangles</translation>
+    </message>
+</context>
+<context>
+    <name>AdvLayers_Uncoloured</name>
+    <message>
+        <source>No Colours</source>
+        <translation>Sans couleurs</translation>
+    </message>
+    <message>
+        <source>Shows the elements in one colour, as FreeCAD shows a FEM mesh</source>
+        <translation>Montre les éléments d'une seule couleur, comme FreeCAD montre un maillage FEM</translation>
     </message>
 </context>
 <context>
@@ -509,6 +586,10 @@
     <message>
         <source>Select one layer mesh first.</source>
         <translation>Sélectionnez d'abord un maillage en couches.</translation>
+    </message>
+    <message>
+        <source>Select one shape, not several ({}): a layer mesh is of one, which may be a compound.</source>
+        <translation>Sélectionnez une seule forme, pas plusieurs ({}) : un maillage en couches appartient à une seule, qui peut être un composé.</translation>
     </message>
     <message>
         <source>Select the layer mesh as well: there are several.</source>

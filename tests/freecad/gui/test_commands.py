@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from advlayers import layer_mesh
 from advlayers.export import FORMATS
 from advlayers_gui import commands, mesh_commands
+from advlayers_gui.colour_commands import ColourBy
 from window import (
     answer_message, child, close_panel, events, press_cancel, report_text, run, screenshot, select)
 
@@ -28,12 +29,12 @@ def test_every_command_is_announced():
     names = [name for name in commands.register() if name != "Separator"]
     assert set(names) <= set(FreeCADGui.listCommands())
     keys = []
-    for kind in filter(None, commands.COMMANDS):
+    for kind in (*filter(None, commands.COMMANDS), *ColourBy.MEMBERS):
         announced = kind().GetResources()
         assert os.path.isfile(announced["Pixmap"]), announced["Pixmap"]
         assert not FreeCADGui.getIcon(announced["Pixmap"]).pixmap(32, 32).isNull()
         assert announced["MenuText"] and len(announced["ToolTip"]) > 20
-        keys += [announced["Accel"]] if announced["Accel"] else []
+        keys += [announced["Accel"]] if announced.get("Accel") else []
     assert len(keys) == len(set(keys)) >= 6
     toolbar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, "Advancing Layers")
     assert len([action for action in toolbar.actions() if not action.isSeparator()]) == len(names)
@@ -116,6 +117,40 @@ def test_check_opens_the_results(mesh):
     assert "out of date" in findings.item(0).text()
     assert f"{mesh.QuadCount} quads" in report_text()
     press_cancel()
+
+
+def test_a_mesh_takes_the_place_of_the_shape_once(box, mesh):
+    assert mesh.ViewObject.Visibility and not box.ViewObject.Visibility
+    box.ViewObject.Visibility = True
+    mesh.Size = 6
+    advlayers.update(mesh)
+    assert box.ViewObject.Visibility
+
+
+def test_the_toolbar_and_the_menu_offer_the_colours(box, mesh):
+    FreeCADGui.activateWorkbench("AdvancingLayersWorkbench")
+    other = advlayers.make_layer_mesh(box, size=8)
+    box.Document.clearUndos()
+    plain = mesh.ViewObject.DisplayMode
+    mesh.ViewObject.Visibility, box.ViewObject.Visibility = False, True
+    bar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, "Advancing Layers")
+    (button,) = [widget for widget in bar.findChildren(QtGui.QToolButton)
+                 if widget.text() == ColourBy.MENU]
+    offered = button.menu().actions()
+    assert [action.text() for action in offered] == [kind.MENU for kind in ColourBy.MEMBERS]
+    select((mesh, ""))
+    for action, kind in zip(offered, ColourBy.MEMBERS):
+        action.trigger()
+        events()
+        assert mesh.ViewObject.DisplayMode == kind.MODE
+        assert mesh.ViewObject.Visibility and not box.ViewObject.Visibility
+        assert other.ViewObject.DisplayMode == plain
+    assert mesh.ViewObject.DisplayMode == plain
+    select()
+    run("ColourByQuality")
+    assert mesh.ViewObject.DisplayMode == other.ViewObject.DisplayMode == ColourBy.MEMBERS[1].MODE
+    select((mesh, ""))
+    assert "AdvLayers_ColourBy" in commands.context_commands()
 
 
 def test_export_asks_for_a_file(mesh, tmp_path, monkeypatch):

@@ -40,6 +40,17 @@ def test_nothing_selected_says_so(box):
     assert [entry.Name for entry in box.Document.Objects] == ["Box"]
 
 
+def test_several_shapes_selected_says_so(box):
+    other = box.Document.addObject("Part::Sphere", "Ball")
+    box.Document.recompute()
+    select((box, "Face1"), (other, ""))
+    seen = []
+    answer_message(seen)
+    run("LayerMesh")
+    assert len(seen) == 1 and "Ball" in seen[0] and "compound" in seen[0]
+    assert [entry.Name for entry in box.Document.Objects] == ["Box", "Ball"]
+
+
 def test_a_missing_core_names_the_remedy(box, monkeypatch):
     def missing():
         raise CoreMissing('the meshing core is not built: run "./dev build"')

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from advlayers import layer_mesh
 from advlayers.errors import InputError
+from advlayers.mesh_properties import property_settings
 
 
 def groups_of(fem):
@@ -193,7 +194,7 @@ def test_results_cannot_be_edited(box):
 
 def test_every_property_has_its_tooltip(box):
     made = layer_mesh.create(box)
-    for entry in layer_mesh.property_settings():
+    for entry in property_settings():
         assert made.getTypeIdOfProperty(entry.property) == entry.property_type
         assert made.getGroupOfProperty(entry.property) == entry.group
         assert made.getDocumentationOfProperty(entry.property) == entry.doc
