@@ -8,6 +8,7 @@
 #include "bindings.h"
 #include "geometry/model.h"
 #include "mesh_view.h"
+#include "sentence_values.h"
 
 namespace py = pybind11;
 
@@ -152,7 +153,7 @@ py::list diagnostics(const py::object& self) {
         py::make_tuple(diagnostic.point.x(), diagnostic.point.y(), diagnostic.point.z());
     entry["text"] = diagnostic.sentence.english();
     entry["form"] = diagnostic.sentence.form();
-    entry["values"] = diagnostic.sentence.values();
+    entry["values"] = values_of(diagnostic.sentence);
     list.append(entry);
   }
   return list;

@@ -8,14 +8,23 @@ from numpy.typing import NDArray
 class InvalidInput(ValueError):
     """The caller's fault: a setting, a name, a file that is not there."""
 
+    form: str  # what is said, with a {} for each value
+    values: List[Any]  # texts, or dictionaries of a form and values
+
 class GeometryError(RuntimeError):
     """The shape's fault: nothing in it that could be meshed."""
+
+    form: str
+    values: List[Any]
 
 class Cancelled(Exception):
     """A stop that was asked for with Mesher.cancel()."""
 
 class InternalError(RuntimeError):
     """A fault of this library: please report it with the model."""
+
+    form: str
+    values: List[Any]
 
 class Model:
     """A BRep, read once; faces, edges and vertices are numbered from 1, as FreeCAD does."""

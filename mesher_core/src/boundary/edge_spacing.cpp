@@ -130,7 +130,7 @@ int EdgeSpacing::segments_for(double ratio, bool both_ends) const {
   const double segments = length() / limits_.size *
                           (larger > 1.0 + 1e-9 ? std::log(larger) * larger / (larger - 1.0) : 1.0);
   if (!(segments < kMaxSegments)) {
-    throw InvalidInput("cluster would cut " + edge_name(edge_) + " into millions of segments");
+    throw InvalidInput("{} would cut {} into millions of segments", "cluster", edge_name(edge_));
   }
   return std::max(both_ends ? 2 : 1, static_cast<int>(std::ceil(segments - kUniform)));
 }
@@ -216,8 +216,8 @@ void EdgeSpacing::cut_between(double from, double to) {
   }
   const double total = shares.back();
   if (!(total < kMaxSegments)) {
-    throw InvalidInput("size is too small: it would cut " + edge_name(edge_) + " into " +
-                       std::to_string(total) + " segments");
+    throw InvalidInput("{} is too small: it would cut {} into {} segments", "size",
+                       edge_name(edge_), total);
   }
   const int n = std::max(required_, static_cast<int>(std::ceil(total - kUniform * (1.0 + total))));
   const bool uniform = most - least <= kUniform * most;

@@ -19,7 +19,7 @@ class BrepScanner {
   [[noreturn]] void fail(const std::string& what) const {
     long line = 1;
     for (const char* p = text_->data(); p < at_; ++p) line += *p == '\n';
-    throw InvalidInput("the text is no BREP shape: line " + std::to_string(line) + ": " + what);
+    throw InvalidInput("the text is no BREP shape: line {}: {}", line, what);
   }
 
   void expect(bool holds, const char* what) const {

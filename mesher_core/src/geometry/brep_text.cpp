@@ -196,7 +196,8 @@ void check_brep_text(const std::string& text) {
     BrepGrammar(text, found + std::strlen(kVersions[i]), static_cast<int>(i) + 1).read();
     return;
   }
-  throw InvalidInput("the text is no BREP shape: it lacks the line \"CASCADE Topology V...\"");
+  throw InvalidInput("the text is no BREP shape: it lacks the line {}",
+                     "\"CASCADE Topology V...\"");
 }
 
 }  // namespace advlayers

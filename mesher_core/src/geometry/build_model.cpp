@@ -95,11 +95,11 @@ bool describe_surface(const TopoDS_Face& shape_face, Face& face) {
   BRepTools::UVBounds(shape_face, face.u_min, face.u_max, face.v_min, face.v_max);
   for (const double x : {face.u_min, face.u_max, face.v_min, face.v_max}) {
     if (std::isfinite(x) && !Precision::IsInfinite(x)) continue;
-    face.defect = "it has no finite bounds";
+    face.defect = Sentence("it has no finite bounds");
     return false;
   }
   if (face.u_max > face.u_min && face.v_max > face.v_min) return true;
-  face.defect = "it has no area";
+  face.defect = Sentence("it has no area");
   return false;
 }
 
@@ -108,7 +108,7 @@ void measure_area(const TopoDS_Face& shape_face, Face& face) {
   BRepGProp::SurfaceProperties(shape_face, properties);
   face.area = std::abs(properties.Mass());
   const bool any = std::isfinite(face.area) && face.area > 0.0;
-  if (!any && face.defect.empty()) face.defect = "it has no area";
+  if (!any && face.defect.empty()) face.defect = Sentence("it has no area");
 }
 
 Face build_face(const Model::Shape& shape, FaceId id, const std::vector<Edge>& edges,
@@ -121,9 +121,9 @@ Face build_face(const Model::Shape& shape, FaceId id, const std::vector<Edge>& e
       if (face.defect.empty()) measure_area(shape_face, face);
     }
   } catch (const GeometryError& error) {
-    face.defect = error.what();
+    face.defect = error.sentence();
   } catch (const Standard_Failure& failure) {
-    face.defect = std::string("OpenCASCADE failed on it: ") + failure.DynamicType()->Name();
+    face.defect = Sentence("OpenCASCADE failed on it: {}", failure.DynamicType()->Name());
   }
   if (!face.defect.empty()) face.loops.clear();
   return face;

@@ -35,7 +35,7 @@ struct Evaluator::Impl {
     std::unique_ptr<EdgeCurve>& slot = curves[e.index()];
     if (!slot) {
       const Edge& edge = model->edge(e);
-      if (!(edge.last > edge.first)) throw GeometryError(edge_name(e) + " has no curve");
+      if (!(edge.last > edge.first)) throw GeometryError("{} has no curve", edge_name(e));
       const Vec3 pole = edge.start.valid() ? model->vertex(edge.start).xyz : pole_of(e);
       slot = translated(
           "edge", [&] { return std::make_unique<EdgeCurve>(model->shape().edge(e), edge, pole); });
@@ -57,7 +57,8 @@ struct Evaluator::Impl {
   Vec2 edge_uv(FaceId f, const CoEdge& coedge, double t) {
     const Edge& edge = model->edge(coedge.edge);
     const Pcurve* pcurve = model->shape().pcurve(f, coedge.edge, coedge.pcurve);
-    if (!pcurve) throw GeometryError(edge_name(coedge.edge) + " has no (u, v) on " + face_name(f));
+    if (!pcurve)
+      throw GeometryError("{} has no (u, v) on {}", edge_name(coedge.edge), face_name(f));
     Vec2 uv = pcurve->at(t, edge) + coedge.uv_shift;
     if (coedge.degenerate) return uv;
     const FaceSurface& s = surface(f);
@@ -74,7 +75,7 @@ struct Evaluator::Impl {
     std::unique_ptr<FaceDomain>& slot = domains[f.index()];
     if (!slot) {
       const Face& face = model->face(f);
-      if (!face.defect.empty()) throw GeometryError(face_name(f) + ": " + face.defect);
+      if (!face.defect.empty()) throw GeometryError("{}: {}", face_name(f), face.defect);
       slot = std::make_unique<FaceDomain>(
           *model, face, [&](const CoEdge& coedge, double t) { return edge_uv(f, coedge, t); });
     }

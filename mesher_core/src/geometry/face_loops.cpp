@@ -45,7 +45,7 @@ class LoopBuilder {
       if (!collect(wire, links) || !chain(links)) return;
     }
     if (loops_.empty()) {
-      face_.defect = "it has no boundary wire";
+      face_.defect = Sentence("it has no boundary wire");
       return;
     }
     settle_sheets();
@@ -117,12 +117,12 @@ class LoopBuilder {
     coedge.seam = uses_[index] > 1;
     coedge.degenerate = edge.degenerate;
     if (!(edge.last > edge.first)) {
-      face_.defect = edge_name(coedge.edge) + " has no curve";
+      face_.defect = Sentence("{} has no curve", edge_name(coedge.edge));
       return false;
     }
     const Pcurve* pcurve = fetch_pcurve(shape_edge, coedge);
     if (!pcurve) {
-      face_.defect = edge_name(coedge.edge) + " has no curve in the face's (u, v)";
+      face_.defect = Sentence("{} has no curve in the face's (u, v)", edge_name(coedge.edge));
       return false;
     }
     const Vec2 a = pcurve->at(edge.first, edge), b = pcurve->at(edge.last, edge);
@@ -190,7 +190,8 @@ class LoopBuilder {
         loop.push_back(links[best]);
       }
       if (loop.back().to != loop.front().from) {
-        face_.defect = "its boundary is open after " + edge_name(loop.back().coedge.edge);
+        face_.defect =
+            Sentence("its boundary is open after {}", edge_name(loop.back().coedge.edge));
         return false;
       }
       loops_.push_back(std::move(loop));
@@ -256,8 +257,8 @@ class LoopBuilder {
     for (const auto& loop : loops_) {
       const Vec2 jump = shift_towards(loop.front().uv_from, loop.back().uv_to);
       if (!jump.isZero()) {
-        face_.defect = "its boundary runs around the closed surface without a seam, at " +
-                       edge_name(loop.front().coedge.edge);
+        face_.defect = Sentence("its boundary runs around the closed surface without a seam, at {}",
+                                edge_name(loop.front().coedge.edge));
         return false;
       }
       total += signed_area(loop);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sentence.h"
 #include "base/types.h"
 
 namespace advlayers {
@@ -35,7 +36,7 @@ struct Face {
   double tolerance = 0.0;                             // [mm]
   double u_min = 0, u_max = 0, v_min = 0, v_max = 0;  // bounds of the trimmed face
   double u_period = 0.0, v_period = 0.0;              // 0: not closed in that direction
-  std::string defect;  // empty, or why the face cannot be meshed ("no boundary wire", …)
+  Sentence defect;  // empty, or why the face cannot be meshed ("no boundary wire", …)
 };
 
 struct Edge {

@@ -58,9 +58,8 @@ auto translated(const char* subject, Work&& work) -> decltype(work()) {
     return work();
   } catch (const Standard_Failure& failure) {
     const char* text = failure.GetMessageString();
-    throw GeometryError(std::string(subject) +
-                        ": OpenCASCADE failed: " + failure.DynamicType()->Name() +
-                        (text && *text ? ": " : "") + (text ? text : ""));
+    throw GeometryError("{}: OpenCASCADE failed: {}{}", subject, failure.DynamicType()->Name(),
+                        text && *text ? std::string(": ") + text : "");
   }
 }
 

@@ -72,18 +72,18 @@ std::vector<EdgeId> inner_edges(Evaluator& evaluator, const std::vector<FaceId>&
   return inner;
 }
 
-std::string reason_to_bound(Evaluator& evaluator, EdgeId edge) {
+Sentence reason_to_bound(Evaluator& evaluator, EdgeId edge) {
   const Model& model = evaluator.model();
   const std::vector<FaceId>& faces = model.edge(edge).faces;
-  if (model.edge(edge).degenerate) return "it is a pole without length";
-  if (faces.empty()) return "it bounds no face";
-  if (faces.size() > 2) return std::to_string(faces.size()) + " faces meet there";
+  if (model.edge(edge).degenerate) return Sentence("it is a pole without length");
+  if (faces.empty()) return Sentence("it bounds no face");
+  if (faces.size() > 2) return Sentence("{} faces meet there", faces.size());
   const EdgeUses uses = uses_of(model, faces);
   const std::vector<Use>& own = uses.at(edge);
-  if (own.size() == 1) return "it bounds " + face_name(faces[0]) + " alone";
-  if (has_two_sides(evaluator, edge, own)) return "";
-  return own.size() > 2 ? "its faces use it more than twice"
-                        : face_name(faces[0]) + " has a slit there";
+  if (own.size() == 1) return Sentence("it bounds {} alone", face_name(faces[0]));
+  if (has_two_sides(evaluator, edge, own)) return {};
+  return own.size() > 2 ? Sentence("its faces use it more than twice")
+                        : Sentence("{} has a slit there", face_name(faces[0]));
 }
 
 }  // namespace advlayers

@@ -25,6 +25,6 @@ std::vector<EdgeId> inner_edges(Evaluator& evaluator, const std::vector<FaceId>&
 
 // Why a patch cannot continue over the edge, whatever the rule: "it bounds one face only"; empty
 // where it can.
-std::string reason_to_bound(Evaluator& evaluator, EdgeId edge);
+Sentence reason_to_bound(Evaluator& evaluator, EdgeId edge);
 
 }  // namespace advlayers

@@ -112,9 +112,9 @@ void refuse_damaged_geometry(STEPControl_Reader& reader, const std::string& path
     const Handle(Standard_Transient) entity = model->Value(checks.Number());
     const std::string type = entity->DynamicType()->Name();
     if (type.rfind("StepGeom_", 0) != 0 && type.rfind("StepShape_", 0) != 0) continue;
-    throw InvalidInput(path +
-                       ": the STEP file is damaged: " + model->StringLabel(entity)->ToCString() +
-                       " " + type.substr(type.find('_') + 1) + ": " + fault->CFail(1));
+    throw InvalidInput("{}: the STEP file is damaged: {} {}: {}", path,
+                       model->StringLabel(entity)->ToCString(), type.substr(type.find('_') + 1),
+                       fault->CFail(1));
   }
 }
 
@@ -151,7 +151,7 @@ void refuse_cut_off_iges(const std::string& text, const std::string& path) {
     const int promised = std::atoi(last.substr(8 * field + 1, 7).c_str());
     whole = promised <= counted[last[8 * field]];
   }
-  if (!whole) throw InvalidInput(path + ": the IGES file is cut off, or is none");
+  if (!whole) throw InvalidInput("{}: the IGES file is cut off, or is none", path);
 }
 
 TopoDS_Shape read_iges(const std::string& path, const std::string& text) {
@@ -167,7 +167,7 @@ TopoDS_Shape read_exchange(const std::string& path, Read&& read) {
   try {
     return translated(path.c_str(), read);
   } catch (const GeometryError& error) {
-    throw InvalidInput(error.what());
+    throw InvalidInput(error.sentence());
   }
 }
 
@@ -175,7 +175,7 @@ TopoDS_Shape parse_brep_file(const std::string& text, const std::string& path) {
   try {
     return parse_brep(text);
   } catch (const InvalidInput& error) {
-    throw InvalidInput(path + ": " + error.what());
+    throw InvalidInput("{}: {}", path, error.sentence());
   }
 }
 
@@ -200,7 +200,7 @@ void check_file(const std::string& path) {
   // Held here, as the copy would wait for ever for a thread that it has not.
   const std::lock_guard<std::mutex> lock(reader_mutex());
   if (!survives([&] { transfer_iges(path); })) {
-    throw InvalidInput(path + ": the IGES file is damaged: OpenCASCADE's reader crashes on it");
+    throw InvalidInput("{}: the IGES file is damaged: OpenCASCADE's reader crashes on it", path);
   }
 }
 
@@ -210,10 +210,10 @@ Model read_file(const std::string& path, double sew_tolerance) {
   const bool step = ending == "step" || ending == "stp";
   const bool iges = ending == "iges" || ending == "igs";
   if (!brep && !step && !iges) {
-    throw InvalidInput(path + ": the ending is none of .step .stp .iges .igs .brep .brp");
+    throw InvalidInput("{}: the ending is none of {}", path, ".step .stp .iges .igs .brep .brp");
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InvalidInput(path + ": the file cannot be opened");
+  if (!file) throw InvalidInput("{}: the file cannot be opened", path);
   TopoDS_Shape root;
   if (step) {
     root = read_exchange(path, [&] { return read_step(path); });
@@ -224,16 +224,15 @@ Model read_file(const std::string& path, double sew_tolerance) {
                 : read_exchange(path, [&] { return read_iges(path, text.str()); });
   }
   if (root.IsNull()) {
-    throw InvalidInput(path + ": no shape could be read, it is no " +
-                       (brep   ? "BREP"
-                        : step ? "STEP"
-                               : "IGES") +
-                       " file or holds none");
+    throw InvalidInput("{}: no shape could be read, it is no {} file or holds none", path,
+                       brep   ? "BREP"
+                       : step ? "STEP"
+                              : "IGES");
   }
   try {
     return model_of(root, sew_tolerance);
   } catch (const GeometryError& error) {
-    throw GeometryError(path + ": " + error.what());
+    throw GeometryError("{}: {}", path, error.sentence());
   }
 }
 

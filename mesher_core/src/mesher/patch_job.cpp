@@ -32,14 +32,15 @@ void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
 constexpr double kHeightMissed = 0.1;
 constexpr std::size_t kNamed = 3;  // walls in one warning
 
-// ": collision 3, merged 2": why columns ended, but for those that are complete.
-std::string reasons_of(const WallReport& wall) {
-  std::string text;
+// "collision (3), merged (2)": why columns ended, but for those that are complete.
+Sentence reasons_of(const WallReport& wall) {
+  Sentence all;
   for (const auto& [reason, count] : wall.stops) {
     if (reason == stop_name(Stop::kLayersReached)) continue;
-    text += (text.empty() ? ": " : ", ") + reason + " " + std::to_string(count);
+    const Sentence one("{} ({})", reason, count);
+    all = all.empty() ? one : Sentence("{}, {}", all, one);
   }
-  return text;
+  return all;
 }
 
 // One sentence for all such walls of a patch, the worst first: a faceted arc is many edges.
@@ -83,7 +84,7 @@ PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
   report_.patch = id;
   report_.faces = faces_;
   for (const FaceId face : faces_) {
-    const std::string& defect = model.face(face).defect;
+    const Sentence& defect = model.face(face).defect;
     if (defect.empty()) continue;
     complain(Severity::kError, "face-defect",
              Sentence("{} is not meshed: {}", face_name(face), defect));
@@ -113,10 +114,10 @@ bool PatchJob::guard(const char* code, const Stage& stage) {
     throw;
   } catch (const std::exception& error) {
     const std::string name = patch_name(faces_);
-    const std::string what = error.what();
-    complain(Severity::kError, code,
-             what.find(name) == std::string::npos ? Sentence("{}: {}", name, what)
-                                                  : Sentence("{}", what));
+    const auto* told = dynamic_cast<const Told*>(&error);
+    const Sentence why = told ? told->sentence() : Sentence("{}", error.what());
+    const bool named = why.english().find(name) != std::string::npos;
+    complain(Severity::kError, code, named ? why : Sentence("{}: {}", name, why));
     return false;
   }
 }
@@ -319,11 +320,12 @@ void PatchJob::judge_walls() {
     const std::string edge = edge_name(wall.edge), face = face_name(wall.face);
     const bool none = wall.achieved_max <= 0.0 && !(wall.layers > 0);
     if (none || wall.layers < wall.requested_layers) {
-      const std::string reasons = reasons_of(wall);
+      const Sentence got = none ? Sentence("{} on {} got no layers", edge, face)
+                                : Sentence("{} on {} got {} complete layers of {}", edge, face,
+                                           wall.layers, wall.requested_layers);
+      const Sentence reasons = reasons_of(wall);
       complain(Severity::kWarning, none ? "wall-without-layers" : "wall-short-of-layers",
-               none ? Sentence("{} on {} got no layers{}", edge, face, reasons)
-                    : Sentence("{} on {} got {} complete layers of {}{}", edge, face, wall.layers,
-                               wall.requested_layers, reasons));
+               reasons.empty() ? got : Sentence("{}: {}", got, reasons));
     }
     if (wall.height_error > kHeightMissed) missed.push_back(&wall);
   }

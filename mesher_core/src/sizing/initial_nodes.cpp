@@ -21,8 +21,8 @@ constexpr int kSamples = 8;      // per direction of a face, to find what is mis
 constexpr double kReach = 1.2;   // of a triangle about its centroid, in radii
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-[[noreturn]] void refuse(const std::string& reason) {
-  throw InvalidInput("initial_mesh: " + reason);
+[[noreturn]] void refuse(const Sentence& reason) {
+  throw InvalidInput("{}: {}", "initial_mesh", reason);
 }
 
 std::string shown(const Vec3& p) {
@@ -32,17 +32,16 @@ std::string shown(const Vec3& p) {
 }
 
 void check_arrays(const InitialMesh& mesh) {
-  if (mesh.triangles.empty()) refuse("it has no surface elements");
+  if (mesh.triangles.empty()) refuse(Sentence("it has no surface elements"));
   const int count = static_cast<int>(mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     if (mesh.points[i].allFinite()) continue;
-    refuse("node " + std::to_string(i) + " (from 0) has the coordinates " + shown(mesh.points[i]));
+    refuse(Sentence("node {} (from 0) has the coordinates {}", i, shown(mesh.points[i])));
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const int v : mesh.triangles[t]) {
       if (v >= 0 && v < count) continue;
-      refuse("triangle " + std::to_string(t) + " (from 0) has node " + std::to_string(v) +
-             ", but there are " + std::to_string(count));
+      refuse(Sentence("triangle {} (from 0) has node {}, but there are {}", t, v, count));
     }
   }
 }
@@ -184,11 +183,10 @@ class Placer {
   }
 
   [[noreturn]] void refuse_node(std::size_t node) const {
-    std::ostringstream text;
-    text << "node " << node << " (from 0) at " << shown(mesh_.points[node]) << " lies "
-         << distances_[node] << " mm off the shape; the most is "
-         << kOff * neighbours_.spacing(node) << " mm, a quarter of the mesh's edge length there";
-    refuse(text.str());
+    refuse(Sentence(
+        "node {} (from 0) at {} lies {} mm off the shape; the most is {} mm, a quarter of "
+        "the mesh's edge length there",
+        node, shown(mesh_.points[node]), distances_[node], kOff * neighbours_.spacing(node)));
   }
 
   static bool contains(const std::vector<FaceId>& faces, FaceId face) {
@@ -279,8 +277,8 @@ void Placer::check_cover(const std::vector<FaceId>& faces) {
   }
   for (const FaceId face : faces) {
     if (bare[face.index()].empty()) continue;
-    refuse("it has no element about " + shown(bare[face.index()].front()) + " on " +
-           face_name(face) + ": it is a mesh of another shape, or not whole");
+    refuse(Sentence("it has no element about {} on {}: it is a mesh of another shape, or not whole",
+                    shown(bare[face.index()].front()), face_name(face)));
   }
 }
 

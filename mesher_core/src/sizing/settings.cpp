@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 #include "base/error.h"
 #include "geometry/model.h"
@@ -22,12 +21,15 @@ constexpr double kLargestAspect = 1e8;
 constexpr double kSharpestSmooth = 70.0;  // [deg] elements can be cut along the edge below it
 constexpr double kMostElements = 1e8;     // some 50 GB of mesh
 
-[[noreturn]] void refuse(const std::string& name, const std::string& rule, double value,
+[[noreturn]] void refuse(const std::string& name, const Sentence& rule, double value,
                          const std::string& where) {
-  std::ostringstream text;
-  text << name << " must be " << rule << ", got " << value;
-  if (!where.empty()) text << " (" << where << ")";
-  throw InvalidInput(text.str());
+  if (where.empty()) throw InvalidInput("{} must be {}, got {}", name, rule, value);
+  throw InvalidInput("{} must be {}, got {} ({})", name, rule, value, where);
+}
+
+[[noreturn]] void refuse(const std::string& name, const char* rule, double value,
+                         const std::string& where) {
+  refuse(name, Sentence("{}", rule), value, where);
 }
 
 void check_positive(const std::string& name, double value, const std::string& where = "") {
@@ -39,10 +41,10 @@ void check_height(const std::string& name, double value, const Model& model,
                   const std::string& where = "") {
   check_positive(name, value, where);
   if (value >= kLeastHeight * model.diagonal()) return;
-  std::ostringstream text;
-  text << "> " << kLeastHeight * model.diagonal() << " mm, " << kLeastHeight
-       << " of the shape's diagonal";
-  refuse(name, text.str(), value, where);
+  refuse(name,
+         Sentence("> {} mm, {} of the shape's diagonal", kLeastHeight * model.diagonal(),
+                  kLeastHeight),
+         value, where);
 }
 
 void check_growth(double growth, const std::string& where = "") {
@@ -52,39 +54,36 @@ void check_growth(double growth, const std::string& where = "") {
 
 void check_angles(const Settings& settings) {
   if (!(settings.feature_angle >= 0.0 && settings.feature_angle < 180.0)) {
-    refuse("feature_angle", "in [0, 180) degrees", settings.feature_angle, "");
+    refuse("feature_angle", Sentence("in [0, 180) degrees"), settings.feature_angle, "");
   }
   if (!(settings.curvature_angle > 0.0 && settings.curvature_angle <= 90.0)) {
-    refuse("curvature_angle", "in (0, 90] degrees", settings.curvature_angle, "");
+    refuse("curvature_angle", Sentence("in (0, 90] degrees"), settings.curvature_angle, "");
   }
-}
-
-std::string count_of(std::size_t n, const char* noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
 void check_edge(EdgeId e, const Model& model, const char* list) {
   if (e.value >= 0 && e.index() < model.edges().size()) return;
-  throw InvalidInput(std::string(list) + ": there is no " + edge_name(e) + ", the model has " +
-                     count_of(model.edges().size(), "edge"));
+  throw InvalidInput("{}: there is no {}, edges of the model: {}", list, edge_name(e),
+                     model.edges().size());
 }
 
 void check_face(FaceId f, const Model& model, const char* list) {
   if (f.value >= 0 && f.index() < model.faces().size()) return;
-  throw InvalidInput(std::string(list) + ": there is no " + face_name(f) + ", the model has " +
-                     count_of(model.faces().size(), "face"));
+  throw InvalidInput("{}: there is no {}, faces of the model: {}", list, face_name(f),
+                     model.faces().size());
 }
 
 void check_wall(const WallSpec& wall, const Model& model) {
-  if (wall.edges.empty()) throw InvalidInput("walls: an entry lists no edge");
+  if (wall.edges.empty()) throw InvalidInput("{}: an entry lists no edge", "walls");
   for (const EdgeId e : wall.edges) {
     check_edge(e, model, "walls");
     if (wall.end_height && model.edge(e).start == model.edge(e).end) {
-      throw InvalidInput("walls: end_height needs an edge with two ends, " + edge_name(e) +
-                         " is closed");
+      throw InvalidInput("{}: {} needs an edge with two ends, {} is closed", "walls", "end_height",
+                         edge_name(e));
     }
     if (!model.edge(e).degenerate) continue;
-    throw InvalidInput("walls: " + edge_name(e) + " is a pole without length, nothing grows there");
+    throw InvalidInput("{}: {} is a pole without length, nothing grows there", "walls",
+                       edge_name(e));
   }
   const std::string where = edge_name(wall.edges.front());
   for (const FaceId f : wall.faces) {
@@ -94,9 +93,8 @@ void check_wall(const WallSpec& wall, const Model& model) {
       return std::find(beside.begin(), beside.end(), f) != beside.end();
     });
     if (!touches) {
-      throw InvalidInput("walls: " + face_name(f) +
-                         " touches none of the edges it is listed for (" + where +
-                         (wall.edges.size() > 1 ? ", ...)" : ")"));
+      throw InvalidInput("{}: {} touches none of the edges it is listed for ({})", "walls",
+                         face_name(f), where + (wall.edges.size() > 1 ? ", ..." : ""));
     }
   }
   if (wall.first_height) check_height("first_height", *wall.first_height, model, where);
@@ -104,43 +102,43 @@ void check_wall(const WallSpec& wall, const Model& model) {
   if (wall.end_height) check_height("end_height", *wall.end_height, model, where);
   if (wall.thickness) check_height("thickness", *wall.thickness, model, where);
   if (wall.aspect_ratio && !(*wall.aspect_ratio > 0.0 && *wall.aspect_ratio <= kLargestAspect)) {
-    refuse("aspect_ratio", "in (0, 1e8]", *wall.aspect_ratio, where);
+    refuse("aspect_ratio", Sentence("in (0, 1e8]"), *wall.aspect_ratio, where);
   }
   if (wall.turning_angle && !(*wall.turning_angle > 0.0 && *wall.turning_angle <= 90.0)) {
-    refuse("turning_angle", "in (0, 90] degrees", *wall.turning_angle, where);
+    refuse("turning_angle", Sentence("in (0, 90] degrees"), *wall.turning_angle, where);
   }
   if (wall.layers && *wall.layers < 0) refuse("layers", ">= 0", *wall.layers, where);
 }
 
 void check_size(const SizeSpec& spec, const Model& model) {
   if (spec.edges.empty() && spec.faces.empty()) {
-    throw InvalidInput("sizes: an entry lists neither edge nor face");
+    throw InvalidInput("{}: an entry lists neither edge nor face", "sizes");
   }
   for (const EdgeId e : spec.edges) check_edge(e, model, "sizes");
   for (const FaceId f : spec.faces) check_face(f, model, "sizes");
   const std::string where =
       spec.edges.empty() ? face_name(spec.faces.front()) : edge_name(spec.edges.front());
-  const auto refuse_entry = [&where](const char* why) {
-    throw InvalidInput("sizes: " + std::string(why) + " (" + where + ")");
+  const auto refuse_entry = [&where](const Sentence& why) {
+    throw InvalidInput("{}: {} ({})", "sizes", why, where);
   };
   if (!spec.size && !spec.segments && !spec.cluster) {
-    refuse_entry("an entry needs a size, segments or cluster");
+    refuse_entry(Sentence("an entry needs a size, segments or cluster"));
   }
   if (spec.size) check_positive("sizes: size", *spec.size, where);
   if (spec.segments && (*spec.segments < 1 || *spec.segments > kMostSegments)) {
-    refuse("sizes: segments", "from 1 to 1000000", *spec.segments, where);
+    refuse("sizes: segments", Sentence("from 1 to 1000000"), *spec.segments, where);
   }
   if (spec.cluster && !(*spec.cluster >= 1.0 / kMostCluster && *spec.cluster <= kMostCluster)) {
-    refuse("sizes: cluster", "from 1e-6 to 1e6", *spec.cluster, where);
+    refuse("sizes: cluster", Sentence("from 1e-6 to 1e6"), *spec.cluster, where);
   }
-  if (spec.both_ends && !spec.cluster) refuse_entry("both_ends needs a cluster");
+  if (spec.both_ends && !spec.cluster) refuse_entry(Sentence("both_ends needs a cluster"));
   if (spec.edges.empty() && (spec.segments || spec.cluster)) {
-    refuse_entry("segments and cluster are of edges, and the entry lists none");
+    refuse_entry(Sentence("segments and cluster are of edges, and the entry lists none"));
   }
   if (spec.faces.empty() && spec.size && spec.segments) {
-    refuse_entry("size and segments of an edge exclude each other");
+    refuse_entry(Sentence("size and segments of an edge exclude each other"));
   }
-  if (!spec.faces.empty() && !spec.size) refuse_entry("a face needs a size");
+  if (!spec.faces.empty() && !spec.size) refuse_entry(Sentence("a face needs a size"));
 }
 
 void check_sizes(const Settings& settings, const Model& model) {
@@ -149,10 +147,10 @@ void check_sizes(const Settings& settings, const Model& model) {
   for (const SizeSpec& spec : settings.sizes) {
     check_size(spec, model);
     for (const EdgeId e : spec.edges) {
-      if (++edges[e] > 1) throw InvalidInput("sizes: " + edge_name(e) + " is listed twice");
+      if (++edges[e] > 1) throw InvalidInput("{}: {} is listed twice", "sizes", edge_name(e));
     }
     for (const FaceId f : spec.faces) {
-      if (++faces[f] > 1) throw InvalidInput("sizes: " + face_name(f) + " is listed twice");
+      if (++faces[f] > 1) throw InvalidInput("{}: {} is listed twice", "sizes", face_name(f));
     }
   }
   for (const Refinement& r : settings.refinements) {
@@ -160,10 +158,10 @@ void check_sizes(const Settings& settings, const Model& model) {
     if (!(r.radius >= 0.0 && std::isfinite(r.radius))) {
       refuse("refinements: radius", ">= 0 mm", r.radius, "");
     }
-    if (!r.point.allFinite()) throw InvalidInput("refinements: point must be finite");
+    if (!r.point.allFinite()) throw InvalidInput("{}: point must be finite", "refinements");
   }
   if (!(settings.size_growth > 1.0 && settings.size_growth <= 3.0)) {
-    refuse("size_growth", "> 1 and <= 3", settings.size_growth, "");
+    refuse("size_growth", Sentence("> 1 and <= 3"), settings.size_growth, "");
   }
 }
 
@@ -180,7 +178,7 @@ void check_walls_apart(const Settings& settings) {
       for (const FaceId f : wall->faces) {
         overlap = overlap || std::find(taken.begin(), taken.end(), f) != taken.end();
       }
-      if (overlap) throw InvalidInput("walls: " + edge_name(edge) + " is listed twice");
+      if (overlap) throw InvalidInput("{}: {} is listed twice", "walls", edge_name(edge));
       taken.insert(taken.end(), wall->faces.begin(), wall->faces.end());
     }
   }
@@ -191,7 +189,7 @@ void check_conditions(const Settings& settings, const Model& model) {
   const auto claim = [&](EdgeId e, const char* list) {
     const auto [it, fresh] = condition.emplace(e, list);
     if (fresh || it->second == list) return;
-    throw InvalidInput(edge_name(e) + " is in both " + it->second + " and " + list);
+    throw InvalidInput("{} is in both {} and {}", edge_name(e), it->second, list);
   };
   static constexpr const char *kWalls = "walls", *kMatch = "match", *kOff = "off",
                               *kSmooth = "smooth";
@@ -220,29 +218,27 @@ void check_patch_edges(const Settings& settings, const Model& model) {
   for (const EdgeId e : rule.boundary) {
     check_edge(e, model, "boundary");
     if (model.edge(e).degenerate) {
-      throw InvalidInput("boundary: " + edge_name(e) + " is a pole without length");
+      throw InvalidInput("{}: {} is a pole without length", "boundary", edge_name(e));
     }
     if (std::binary_search(rule.smooth.begin(), rule.smooth.end(), e)) {
-      throw InvalidInput(edge_name(e) + " is in both boundary and smooth");
+      throw InvalidInput("{} is in both {} and {}", edge_name(e), "boundary", "smooth");
     }
   }
   Evaluator evaluator(model);
   for (const EdgeId e : rule.smooth) {
-    const auto refuse_edge = [e](const std::string& why) {
-      throw InvalidInput("smooth: " + edge_name(e) + " must bound its patch: " + why);
+    const auto refuse_edge = [e](const Sentence& why) {
+      throw InvalidInput("{}: {} must bound its patch: {}", "smooth", edge_name(e), why);
     };
-    if (const std::string why = reason_to_bound(evaluator, e); !why.empty()) refuse_edge(why);
+    if (const Sentence why = reason_to_bound(evaluator, e); !why.empty()) refuse_edge(why);
     const double angle = model.dihedral_angle(e) * 180.0 / M_PI;
     if (angle > kSharpestSmooth) {
-      std::ostringstream text;
-      text << "its faces meet at " << std::lround(angle) << " degrees, and " << kSharpestSmooth
-           << " is the most that layers run over";
-      refuse_edge(text.str());
+      refuse_edge(Sentence("its faces meet at {} degrees, and {} is the most that layers run over",
+                           std::lround(angle), kSharpestSmooth));
     }
     for (const FaceId face : model.edge(e).faces) {
       const auto& meshed = settings.faces;
       if (meshed.empty() || std::find(meshed.begin(), meshed.end(), face) != meshed.end()) continue;
-      refuse_edge(face_name(face) + " is not among the faces to mesh");
+      refuse_edge(Sentence("{} is not among the faces to mesh", face_name(face)));
     }
   }
 }
@@ -261,10 +257,8 @@ void check_amount(const Settings& settings, const Model& model) {
     least = std::min(least, size);
   }
   if (elements <= kMostElements) return;
-  std::ostringstream text;
-  text << "size is too small: " << least << " mm asks for " << elements << " elements, and "
-       << kMostElements << " are the most";
-  throw InvalidInput(text.str());
+  throw InvalidInput("{} is too small: {} mm asks for {} elements, and {} are the most", "size",
+                     least, elements, kMostElements);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "base/error.h"
 #include "geometry/model.h"
@@ -13,44 +12,39 @@ namespace {
 constexpr double kMaxGrowth = 10.0;  // as settings.cpp checks it
 constexpr int kMostLayers = 100000;
 
-[[noreturn]] void refuse(const WallSpec& spec, const std::string& why) {
-  throw InvalidInput("walls: " + why + " (" + edge_name(spec.edges.front()) + ")");
-}
-
-std::string shown(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+[[noreturn]] void refuse(const WallSpec& spec, const Sentence& why) {
+  throw InvalidInput("{}: {} ({})", "walls", why, edge_name(spec.edges.front()));
 }
 
 void check_height_rules(const WallSpec& spec) {
   const int given = (spec.first_height || spec.end_height ? 1 : 0) + (spec.aspect_ratio ? 1 : 0) +
                     (spec.turning_angle ? 1 : 0);
   if (given > 1) {
-    refuse(spec, "first_height, aspect_ratio and turning_angle exclude each other");
+    refuse(spec, Sentence("{}, {} and {} exclude each other", "first_height", "aspect_ratio",
+                          "turning_angle"));
   }
   if (spec.thickness && (spec.end_height || spec.aspect_ratio || spec.turning_angle)) {
-    refuse(spec, "thickness needs a first height that is the same along the wall");
+    refuse(spec, Sentence("thickness needs a first height that is the same along the wall"));
   }
 }
 
 int layers_for(const WallSpec& spec, double height, double growth, double thickness) {
   if (thickness < height * (1.0 - 1e-9)) {
-    refuse(spec, "thickness " + shown(thickness) + " mm is less than the first height " +
-                     shown(height) + " mm");
+    refuse(spec,
+           Sentence("thickness {} mm is less than the first height {} mm", thickness, height));
   }
   const double layers = growth - 1.0 < 1e-12
                             ? thickness / height
                             : std::log1p(thickness * (growth - 1.0) / height) / std::log(growth);
-  if (!(layers < kMostLayers)) refuse(spec, "thickness would take " + shown(layers) + " layers");
+  if (!(layers < kMostLayers)) refuse(spec, Sentence("thickness would take {} layers", layers));
   return std::max(1, static_cast<int>(std::lround(layers)));
 }
 
 double growth_for(const WallSpec& spec, double height, int layers, double thickness) {
   if (thickness < height * layers * (1.0 - 1e-9) ||
       thickness > thickness_of(height, kMaxGrowth, layers)) {
-    refuse(spec, "no growth from 1 to 10 makes " + std::to_string(layers) + " layers from " +
-                     shown(height) + " mm " + shown(thickness) + " mm thick");
+    refuse(spec, Sentence("no growth from 1 to 10 makes {} layers from {} mm {} mm thick", layers,
+                          height, thickness));
   }
   double low = 1.0, high = kMaxGrowth;
   for (int i = 0; i < 100; ++i) {
@@ -82,9 +76,11 @@ WallSpacing spacing_of(const WallSpec& spec, const Settings& settings) {
   if (!spec.layers) {
     spacing.layers = layers_for(spec, spacing.first_height, spacing.growth, *spec.thickness);
   } else if (*spec.layers == 0) {
-    refuse(spec, "layers 0 grows until the fronts close, which leaves no choice of thickness");
+    refuse(spec,
+           Sentence("layers 0 grows until the fronts close, which leaves no choice of thickness"));
   } else if (spec.first_height && spec.growth) {
-    refuse(spec, "first_height, growth, layers and thickness are one too many: leave one out");
+    refuse(spec, Sentence("{}, {}, {} and {} are one too many: leave one out", "first_height",
+                          "growth", "layers", "thickness"));
   } else if (spec.first_height) {
     spacing.growth = growth_for(spec, spacing.first_height, *spec.layers, *spec.thickness);
   } else {

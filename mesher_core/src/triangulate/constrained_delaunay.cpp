@@ -20,7 +20,7 @@ ConstrainedDelaunay::ConstrainedDelaunay(const std::vector<Vec2>& points,
                                          const CancelFlag& cancel) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite()) {
-      throw InvalidInput("point " + std::to_string(i) + " of a triangulation is not finite");
+      throw InvalidInput("point {} of a triangulation is not finite", i);
     }
     mesh_.add_point(points[i]);
   }

@@ -141,8 +141,8 @@ class SheetBuilder {
 
 FaceSheet lay_out_face(Evaluator& evaluator, const Discretization& boundary, FaceId face,
                        const std::vector<EdgeId>& inner) {
-  const std::string& defect = evaluator.model().face(face).defect;
-  if (!defect.empty()) throw GeometryError(face_name(face) + " cannot be meshed: " + defect);
+  const Sentence& defect = evaluator.model().face(face).defect;
+  if (!defect.empty()) throw GeometryError("{} cannot be meshed: {}", face_name(face), defect);
   return SheetBuilder(evaluator, boundary, face, inner).build();
 }
 

@@ -30,8 +30,8 @@ class Gluer {
       if (divide_doubled_edges()) continue;
       return make_mesh();
     }
-    throw GeometryError(face_name(sheets_.front().sheet().face) +
-                        " does not close to a manifold mesh");
+    throw GeometryError("{} does not close to a manifold mesh",
+                        face_name(sheets_.front().sheet().face));
   }
 
  private:
@@ -124,8 +124,9 @@ class Gluer {
       }
     });
     if (!waiting.empty()) {
-      throw GeometryError(edge_name(std::get<0>(waiting.begin()->first)) +
-                          " joins no two sides of " + face_name(sheets_.front().sheet().face));
+      throw GeometryError("{} joins no two sides of {}",
+                          edge_name(std::get<0>(waiting.begin()->first)),
+                          face_name(sheets_.front().sheet().face));
     }
   }
 
@@ -183,10 +184,9 @@ class Gluer {
                                std::size_t sheet) const {
     std::vector<EdgeId> edges{std::min(a.edge, b.edge), std::max(a.edge, b.edge)};
     if (edges[0] == edges[1]) edges.pop_back();
-    return BoundaryTooCoarse(face_name(sheets_[sheet].sheet().face) + ": mesh edges of " +
-                                 edge_name(a.edge) + " and " + edge_name(b.edge) +
-                                 " join the same two nodes; they are too long",
-                             edges);
+    return {Sentence("{}: mesh edges of {} and {} join the same two nodes; they are too long",
+                     face_name(sheets_[sheet].sheet().face), edge_name(a.edge), edge_name(b.edge)),
+            edges};
   }
 
   // --- the mesh ---

@@ -53,12 +53,14 @@ class BoundaryTriangulation {
 
   PlanarTriangulation run() {
     for (std::size_t i = 0; i < sheet_.segments.size(); ++i) constrain(static_cast<int>(i));
-    if (!coarse_.empty()) throw too_coarse("cross or touch each other");
+    if (!coarse_.empty())
+      throw too_coarse(Sentence("{}: mesh edges of {} cross or touch each other"));
     const auto windings = delaunay_.carve();
     find_segments_facing_away();
-    if (!coarse_.empty()) throw too_coarse("leave boundary on the wrong side");
+    if (!coarse_.empty())
+      throw too_coarse(Sentence("{}: mesh edges of {} leave boundary on the wrong side"));
     if (windings.lowest < 0 || windings.highest != 1) {
-      throw GeometryError(face_name(sheet_.face) + ": its boundary does not enclose a region");
+      throw GeometryError("{}: its boundary does not enclose a region", face_name(sheet_.face));
     }
     return delaunay_.release();
   }
@@ -121,10 +123,9 @@ class BoundaryTriangulation {
     }
   }
 
-  BoundaryTooCoarse too_coarse(const std::string& what) {
+  BoundaryTooCoarse too_coarse(const Sentence& said) {
     sort_unique(coarse_);
-    return BoundaryTooCoarse(
-        face_name(sheet_.face) + ": mesh edges of " + names(coarse_) + " " + what, coarse_);
+    return {said.about(face_name(sheet_.face), names(coarse_)), coarse_};
   }
 
   const FaceSheet& sheet_;

@@ -31,8 +31,8 @@ struct Triangulation {
 // or leave a part of the boundary on the wrong side. Cut finer, they may do.
 class BoundaryTooCoarse : public GeometryError {
  public:
-  BoundaryTooCoarse(const std::string& what, std::vector<EdgeId> coarse_edges)
-      : GeometryError(what), edges_(std::move(coarse_edges)) {}
+  BoundaryTooCoarse(Sentence sentence, std::vector<EdgeId> coarse_edges)
+      : GeometryError(std::move(sentence)), edges_(std::move(coarse_edges)) {}
   // Sorted, each once.
   const std::vector<EdgeId>& edges() const { return edges_; }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+
 namespace advlayers {
 namespace {
 
@@ -20,6 +22,20 @@ TEST(Sentence, SaysTheSameAboutSomethingElse) {
   const Sentence form("left out: {}");
   EXPECT_EQ(form.about("Face1").english(), "left out: Face1");
   EXPECT_EQ(form.about("Face1").form(), form.form());
+}
+
+TEST(Sentence, MayHoldOthers) {
+  Sentence said("{}: {}", "Edge1", Sentence("{} and {}", "Edge2", 3));
+  EXPECT_EQ(said.english(), "Edge1: Edge2 and 3");
+  said.change([](const std::string& text) { return text == "3" ? text : text + "b"; });
+  EXPECT_EQ(said.english(), "Edge1b: Edge2b and 3");
+  EXPECT_EQ(said.values()[1].sentence.form(), "{} and {}");
+}
+
+TEST(Sentence, IsWhatAnErrorSays) {
+  const InvalidInput error("{} must be {}, got {}", "size", Sentence("> 0 mm"), -1.5);
+  EXPECT_STREQ(error.what(), "size must be > 0 mm, got -1.5");
+  EXPECT_EQ(error.sentence().form(), "{} must be {}, got {}");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ void expect_material_on_the_left(const Model& model, const std::string& name) {
   Evaluator evaluator(model);
   for (std::size_t f = 0; f < model.faces().size(); ++f) {
     const Face& face = model.faces()[f];
-    ASSERT_EQ(face.defect, "") << name;
+    ASSERT_EQ(face.defect.english(), "") << name;
     for (const auto& loop : face.loops) {
       for (const CoEdge& coedge : loop) {
         if (coedge.degenerate) continue;
@@ -247,8 +247,8 @@ TEST(Model, FaceWithoutWireIsADefectNotAnError) {
   builder.Add(both, bare);
   const Model model = model_of(both);
   ASSERT_EQ(model.faces().size(), 7u);
-  for (std::size_t f = 0; f < 6; ++f) EXPECT_EQ(model.faces()[f].defect, "");
-  EXPECT_NE(model.faces()[6].defect, "");
+  for (std::size_t f = 0; f < 6; ++f) EXPECT_EQ(model.faces()[f].defect.english(), "");
+  EXPECT_NE(model.faces()[6].defect.english(), "");
   EXPECT_TRUE(model.faces()[6].loops.empty());
 }
 

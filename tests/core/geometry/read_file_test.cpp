@@ -86,7 +86,7 @@ TopoDS_Shape box() { return BRepPrimAPI_MakeBox(25.4, 50.8, 76.2).Shape(); }
 void expect_box(const Model& model) {
   ASSERT_EQ(model.faces().size(), 6u);
   EXPECT_NEAR(model.diagonal(), 25.4 * std::sqrt(14.0), 1e-6);
-  for (const Face& face : model.faces()) EXPECT_EQ(face.defect, "");
+  for (const Face& face : model.faces()) EXPECT_EQ(face.defect.english(), "");
 }
 
 TEST_F(ReadFile, LengthsComeOutInMillimetres) {
@@ -190,7 +190,7 @@ TEST(ModelFiles, AreReadWholeAndCutSoundly) {
     const Discretization cut = discretize(evaluator, settings);
     for (std::size_t f = 0; f < model.faces().size(); ++f) {
       const Face& face = model.faces()[f];
-      EXPECT_EQ(face.defect, "") << name << " Face" << f + 1;
+      EXPECT_EQ(face.defect.english(), "") << name << " Face" << f + 1;
       const Vec2 extent(face.u_max - face.u_min, face.v_max - face.v_min);
       for (const auto& loop : face.loops) {
         std::size_t segments = 0;

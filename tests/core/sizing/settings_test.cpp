@@ -112,10 +112,10 @@ TEST(Settings, AHeightBelowWhatCoordinatesTellApartIsRefused) {
 TEST(Settings, NamesOutOfRangeAreToldWithWhatTheModelHas) {
   Settings s = good();
   s.faces = {FaceId(98)};
-  EXPECT_EQ(refusal(s), "faces: there is no Face99, the model has 6 faces");
+  EXPECT_EQ(refusal(s), "faces: there is no Face99, faces of the model: 6");
   s = good();
   s.off_edges = {EdgeId(12)};
-  EXPECT_EQ(refusal(s), "off: there is no Edge13, the model has 12 edges");
+  EXPECT_EQ(refusal(s), "off: there is no Edge13, edges of the model: 12");
   s = good();
   s.walls = {{{EdgeId(-1)}, {}, {}, {}, {}}};
   EXPECT_NE(refusal(s), "");
@@ -145,7 +145,7 @@ TEST(Settings, AnEdgeIsNotBothInsideItsPatchAndABoundary) {
   EXPECT_EQ(refusal(s), "Edge5 is in both walls and smooth");
   s.walls = {};
   s.boundary_edges = {EdgeId(12)};
-  EXPECT_EQ(refusal(s), "boundary: there is no Edge13, the model has 12 edges");
+  EXPECT_EQ(refusal(s), "boundary: there is no Edge13, edges of the model: 12");
 }
 
 TEST(Settings, ASmoothEdgeMustHaveTwoFacesThatMeetThere) {

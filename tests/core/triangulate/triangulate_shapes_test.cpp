@@ -158,7 +158,7 @@ TEST(TriangulateShapes, HoleThatTouchesACorner) {
                                polygon({shared, vertex(9, 0), vertex(9, 9), vertex(0, 9)}));
   face.Add(polygon({shared, vertex(2, 5), vertex(5, 2)}));
   FaceByFace faces(face.Face(), 1);
-  ASSERT_EQ(faces.model.faces().front().defect, "");
+  ASSERT_EQ(faces.model.faces().front().defect.english(), "");
   faces.expect({1}, {12 * kDegree});
   const Triangulation made = faces.mesh(FaceId(0));
   std::map<NodeId, int> vertices;
