@@ -97,9 +97,9 @@ def _default(entry):
 
 
 def _range(entry):
-    from advlayers.settings_table import range_text
+    from advlayers.settings_table import range_said
 
-    return range_text(entry)
+    return range_said(entry).english
 
 
 def _endings():

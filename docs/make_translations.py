@@ -19,20 +19,24 @@ from xml.sax.saxutils import escape
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(ROOT, "App"))
 FOLDER = os.path.join(ROOT, "Resources", "translations")
-# A Sentence, its variable's name where it has one, and its literals one after the other.
-_CORE_SENTENCE = re.compile(r'\bSentence(?:\s+\w+)?\(\s*((?:"[^"\\]*"\s*)+)')
+# A Sentence or an error, its variable's name where it has one, and literals one after the other.
+_CORE_SENTENCE = re.compile(
+    r'\b(?:Sentence|InvalidInput|GeometryError)(?:\s+\w+)?\(\s*((?:"[^"\\]*"\s*)+)')
 _LITERAL = re.compile(r'"([^"]*)"')
+# Functions and classes that say something, and which argument it is.
+_SAYING = {"tr": 0, "Sentence": 0, "CoreMissing": 0, "Format": 0, "InputError": 1}
 PROPERTY, WINDOW, WORKBENCH = "App::Property", "AdvancingLayers", "Workbench"
 
 
 def texts():
     """Every text once: (context, source), in a fixed order."""
-    found = {(WORKBENCH, "Advancing Layers"): None}
+    # The second: a setting, and what is wrong with it.
+    found = {(WORKBENCH, "Advancing Layers"): None, (WINDOW, "{} {}"): None}
     for path in sorted(glob.glob(os.path.join(ROOT, "*", "advlayers*", "*.py"))):
         with open(path, encoding="utf-8") as file:
             found.update(dict.fromkeys(_of_code(ast.parse(file.read()))))
     found.update(dict.fromkeys(_of_tables()))
-    for path in sorted(glob.glob(os.path.join(ROOT, "mesher_core", "src", "*", "*.cpp"))):
+    for path in sorted(glob.glob(os.path.join(ROOT, "mesher_core", "src", "*", "*.[ch]*"))):
         with open(path, encoding="utf-8") as file:
             found.update(dict.fromkeys(_of_core(file.read())))
     for path in sorted(glob.glob(os.path.join(ROOT, "Resources", "ui", "*.ui"))):
@@ -46,8 +50,11 @@ def _of_code(tree):
             yield from _of_class(node)
         elif isinstance(node, ast.Call):
             name = getattr(node.func, "id", getattr(node.func, "attr", ""))
-            if name in ("tr", "Sentence") and node.args and _says_something(_text(node.args[0])):
-                yield WINDOW, _text(node.args[0])
+            if name in _SAYING and len(node.args) > _SAYING[name]:
+                form = node.args[_SAYING[name]]
+                for choice in (form.body, form.orelse) if isinstance(form, ast.IfExp) else (form,):
+                    if _says_something(_text(choice)):
+                        yield WINDOW, _text(choice)
             elif name == "addProperty" and len(node.args) > 3 and _text(node.args[3]):
                 yield PROPERTY, _text(node.args[3])
         elif isinstance(node, ast.Tuple) and len(node.elts) > 2:
@@ -69,7 +76,7 @@ def _says_something(text):
 
 def _of_class(node):
     """A command's menu text and tooltip, which FreeCAD translates by the command's name; the
-    tooltip of a child's references."""
+    tooltip of a child's references; the step of undo that a panel makes."""
     texts_of = {}
     for line in node.body:
         if isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name):
@@ -79,6 +86,8 @@ def _of_class(node):
             yield f"AdvLayers_{texts_of['NAME']}", texts_of[key]
     if texts_of.get("REFERENCES"):
         yield PROPERTY, texts_of["REFERENCES"]
+    if "NAME" not in texts_of and texts_of.get("TITLE"):
+        yield WINDOW, texts_of["TITLE"]
 
 
 def _of_tables():
@@ -87,18 +96,14 @@ def _of_tables():
     for entry in table.MESH_SETTINGS:
         if entry.property:
             yield PROPERTY, entry.doc
-            yield WINDOW, _label(entry)
         yield from ((WINDOW, choice) for choice in entry.choices)
     radius = table.setting("radius", table.REFINEMENT_SETTINGS)
     for entry in (*table.WALL_SETTINGS, *table.SIZE_SETTINGS, radius):
         if entry.key not in ("edges", "faces"):
+            yield PROPERTY, entry.doc
             yield PROPERTY, table.optional_doc(entry)
-            yield WINDOW, _label(entry)
-
-
-def _label(entry):
-    """As the forms show a setting."""
-    return entry.key.replace("_", " ").capitalize()
+    for key in table.keys():
+        yield WINDOW, table.label(key)
 
 
 def _of_form(path):

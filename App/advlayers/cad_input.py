@@ -28,15 +28,15 @@ def check_readable(path: str, freecad: bool) -> None:
     ending = os.path.splitext(path)[1].lower()
     if ending not in _PLAIN + _FREECAD_ONLY:
         known = " ".join(_PLAIN + _FREECAD_ONLY)
-        raise InputError("input", f"has the unknown format {ending!r} ({known}): {path}")
+        raise InputError("input", "has the unknown format {} ({}): {}", repr(ending), known, path)
     if not os.path.exists(path):
-        raise InputError("input", f"does not exist: {path}")
+        raise InputError("input", "does not exist: {}", path)
     if not os.path.isfile(path):
-        raise InputError("input", f"is no file: {path}")
+        raise InputError("input", "is no file: {}", path)
     if not os.access(path, os.R_OK):
-        raise InputError("input", f"cannot be read: {path}")
+        raise InputError("input", "cannot be read: {}", path)
     if ending in _FREECAD_ONLY and not freecad:
-        raise InputError("input", f"needs FreeCAD to be read: run the job with freecadcmd: {path}")
+        raise InputError("input", "needs FreeCAD to be read: run the job with freecadcmd: {}", path)
 
 
 def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: float = 0.0) -> Cad:
@@ -44,7 +44,7 @@ def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: f
     naming it."""
     ending = os.path.splitext(path)[1].lower()
     if wanted is not None and ending != ".fcstd":
-        raise InputError("object", f"is for FCStd files only, got {wanted!r}")
+        raise InputError("object", "is for FCStd files only, got {}", repr(wanted))
     try:
         if not freecad:
             return Cad(core.read_file(path, sew_tolerance))
@@ -54,7 +54,7 @@ def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: f
     except (RuntimeError, ValueError, OSError) as error:
         if isinstance(error, InputError):
             raise
-        raise InputError("input", f"cannot be used: {_one_line(error)}: {path}") from error
+        raise InputError("input", "cannot be used: {}: {}", _one_line(error), path) from error
     return Cad(_model(core, shape, path, sew_tolerance), shape)
 
 
@@ -70,11 +70,11 @@ def global_shape(document_object):
 
 def _model(core, shape, path: str, sew_tolerance: float):
     if shape.isNull() or not shape.Faces:
-        raise InputError("input", f"holds no face to mesh: {path}")
+        raise InputError("input", "holds no face to mesh: {}", path)
     try:
         return core.read_brep(shape.exportBrepToString(), sew_tolerance)
     except (RuntimeError, ValueError) as error:
-        raise InputError("input", f"cannot be used: {_one_line(error)}: {path}") from error
+        raise InputError("input", "cannot be used: {}: {}", _one_line(error), path) from error
 
 
 def _read_shape(core, path: str):
@@ -102,18 +102,20 @@ def _choose(document, wanted: Optional[str], path: str):
         same_label = document.getObjectsByLabel(wanted)
         if found is None and len(same_label) > 1:
             names = ", ".join(sorted(entry.Name for entry in same_label))
-            raise InputError("object", f"{wanted!r} is the label of several objects: {names}")
+            raise InputError("object", "{} is the label of several objects: {}", repr(wanted),
+                             names)
         chosen = found or (same_label[0] if same_label else None)
         if chosen is None:
-            raise InputError("object", f"{wanted!r} is neither name nor label of an object: {path}")
+            raise InputError("object", "{} is neither name nor label of an object: {}",
+                             repr(wanted), path)
         if not _face_count(chosen):
-            raise InputError("object", f"{wanted!r} has no face to mesh: {path}")
+            raise InputError("object", "{} has no face to mesh: {}", repr(wanted), path)
         return chosen, ""
     shapes = [(entry, _face_count(entry)) for entry in document.Objects
               if not [parent for parent in entry.InList if _face_count(parent)]]
     shapes = [(entry, count) for entry, count in shapes if count]
     if not shapes:
-        raise InputError("input", f"holds no face to mesh: {path}")
+        raise InputError("input", "holds no face to mesh: {}", path)
     chosen, count = max(shapes, key=lambda pair: pair[1])
     note = ""
     if len(shapes) > 1:

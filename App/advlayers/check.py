@@ -39,7 +39,7 @@ def by_severity(findings: Iterable[Finding]) -> List[Finding]:
 
 def of_object(mesh_object) -> List[Finding]:
     """How the mesh object stands in its document."""
-    found = [Finding("error", f"{problem.owner.Label}: {problem.text}")
+    found = [Finding("error", f"{problem.owner.Label}: {problem.said.translated}")
              for problem in layer_mesh.reference_problems(mesh_object)]
     if mesh_object.State == layer_mesh.NOT_MESHED or not mesh_object.FemMesh.FaceCount:
         return found + [Finding("warning", tr("There is no mesh yet."))]
@@ -72,10 +72,13 @@ def of_mesh(data: MeshData) -> List[Finding]:
 
 def summary(mesh_object) -> str:
     """One line on the whole mesh."""
-    return (f"{mesh_object.Label}: {mesh_object.QuadCount} quads, {mesh_object.TriangleCount} "
-            f"triangles, {mesh_object.QuadPercent:.1f} % quads, "
-            f"{mesh_object.GoodAnglePercent:.1f} % of angles in 45-135 deg, angles from "
-            f"{mesh_object.MinAngle.Value:.1f} to {mesh_object.MaxAngle.Value:.1f} deg")
+    return tr(
+        "{label}: {quads} quads, {triangles} triangles, {percent:.1f} % quads, {good:.1f} % of "
+        "angles in 45–135°, angles from {least:.1f}° to {largest:.1f}°").format(
+            label=mesh_object.Label, quads=mesh_object.QuadCount,
+            triangles=mesh_object.TriangleCount, percent=mesh_object.QuadPercent,
+            good=mesh_object.GoodAnglePercent, least=mesh_object.MinAngle.Value,
+            largest=mesh_object.MaxAngle.Value)
 
 
 def _worst_elements(data: MeshData) -> List[Finding]:

@@ -12,12 +12,14 @@ from typing import Any, Dict, Iterable, Iterator, List, Mapping, Tuple
 from advlayers import cad_input
 from advlayers.errors import InputError
 from advlayers.face_edges import FaceEdges
+from advlayers.language import tr
 from advlayers.picked_names import link_value, names_on
 from advlayers.properties import (
     HIDDEN, add_setting, from_property, plain_values, property_name, to_property)
 from advlayers.proxy import Stateless, attach_view
 from advlayers.references import Picker, Problem, remembered
 from advlayers.references import problems as reference_problems
+from advlayers.sentence import Sentence
 from advlayers.settings_check import check_all
 from advlayers.settings_table import (
     REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, setting,
@@ -173,19 +175,19 @@ def make(kind, mesh_object, references, label: str = "", condition: str = CONDIT
     source = mesh_object.Part
     picked = names_on(source, references)
     if not picked:
-        raise InputError("references", f"of a new {kind.__name__} must not be empty")
+        raise InputError("references", "of a new {} must not be empty", Sentence(kind.__name__))
     picker = Picker(cad_input.global_shape(source))
     for name in picked:
         picker.pick(name)
         if _sort(name) not in kind.KINDS:
-            raise InputError("references", f"of a {kind.__name__} cannot hold {name}")
+            raise InputError("references", "of a {} cannot hold {}", Sentence(kind.__name__), name)
     condition = _condition(condition)
     table = value_settings(kind.TABLE)
     checked = check_all(plain_values(values, table), tuple(table))
 
     made = mesh_object.Document.addObject("App::FeaturePython", kind.__name__)
     kind(made)
-    made.Label = label or kind.__name__
+    made.Label = label or tr(kind.__name__)
     made.References = link_value(source, picked)
     for entry in table:
         if checked[entry.key] is not None:
@@ -206,7 +208,8 @@ def make_group(mesh_object, name: str, references):
 
 def _condition(value: str) -> str:
     if str(value).capitalize() not in CONDITIONS:
-        raise InputError("condition", f"must be one of {', '.join(CONDITIONS)}, got {value!r}")
+        raise InputError("condition", "must be one of {}, got {}", ", ".join(CONDITIONS),
+                         repr(value))
     return value.capitalize()
 
 
@@ -261,7 +264,7 @@ def contributions(mesh_object) -> Dict[str, Any]:
     source = mesh_object.Part
     for child in children(mesh_object):
         if not child.References:
-            raise InputError("References", f"of {child.Label} is empty: pick faces or edges")
+            raise InputError("references", "of {} are missing: pick faces or edges", child.Label)
     conditions: Dict[str, List[Any]] = {condition: [] for condition in CONDITIONS}
     for wall in mesh_object.WallList:
         conditions[wall.Condition].append(_wall(wall, source))
@@ -289,7 +292,7 @@ def _add_size(size, source, found: Dict[str, Any]) -> None:
     shape = cad_input.global_shape(source)
     for name in vertices:
         if "size" not in given:
-            raise InputError("Size", f"of {size.Label} is needed about {name}")
+            raise InputError("size", "of {} is needed about {}", size.Label, name)
         point = list(Picker(shape).pick(name).centre)
         found["refinements"].append({"point": point, "size": given["size"], "radius": radius})
 

@@ -16,6 +16,5 @@ def load_core():
         root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
         version = ".".join(str(part) for part in sys.version_info[:3])
         raise CoreMissing(
-            f"the meshing core is not built for this FreeCAD (Python {version}): "
-            f'run "./dev build" in {root} and start FreeCAD again ({error})'
-        ) from error
+            "the meshing core is not built for this FreeCAD (Python {}): run \"./dev build\" in {} "
+            "and start FreeCAD again ({})", version, root, error) from error

@@ -1,6 +1,7 @@
 """The formats a mesh can be written in, and writing them so that nothing half-written remains."""
 from __future__ import annotations
 
+import errno
 import importlib.util
 import os
 from dataclasses import dataclass
@@ -89,12 +90,13 @@ def check_format(key: str, path: str, freecad: bool) -> None:
     ending = format_of(path)
     if ending not in FORMATS:
         known = " ".join(FORMATS)
-        raise InputError(key, f"has the unknown format {ending!r} (known: {known}): {path}")
+        raise InputError(key, "has the unknown format {} (known: {}): {}", repr(ending), known,
+                         path)
     needs = FORMATS[ending].needs
     if needs == "FreeCAD" and not freecad:
-        raise InputError(key, f"needs FreeCAD to be written: run the job with freecadcmd: {path}")
+        raise InputError(key, "needs FreeCAD to be written: run the job with freecadcmd: {}", path)
     if needs == "meshio" and importlib.util.find_spec("meshio") is None:
-        raise InputError(key, f"needs the Python package meshio (python3-meshio): {path}")
+        raise InputError(key, "needs the Python package meshio (python3-meshio): {}", path)
 
 
 class Outputs:
@@ -120,7 +122,7 @@ class Outputs:
         writer(temporary)
         # FreeCAD's writers say nothing when the disk is full.
         if not os.path.exists(temporary) or not os.path.getsize(temporary):
-            raise OSError(f"nothing was written to {target}")
+            raise OSError(errno.EIO, "nothing was written", target)
 
     def publish(self) -> None:
         for temporary, target in self._pending:

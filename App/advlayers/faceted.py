@@ -1,6 +1,8 @@
 """Triangulated surfaces (STL files, FreeCAD's Mesh objects) as shapes of planar faces."""
 from __future__ import annotations
 
+from advlayers.errors import InputError
+
 # Every facet becomes a planar face: as patches of their own they make no sense.
 FEATURE_ANGLE = 20.0  # [deg]
 # Of the diagonal: points of neighbouring triangles are equal in an STL file up to its precision.
@@ -19,11 +21,20 @@ def shape_of_file(path: str):
 
 
 def add_shape(mesh_object):
-    """Adds the mesh object's surface to its document, as a shape in the place of it."""
+    """Adds the mesh object's surface to its document, as a shape in the place of it. Raises
+    InputError; nothing has changed then."""
+    from advlayers.language import tr
+
+    if not mesh_object.Mesh.CountFacets:
+        raise InputError("", "{} has no face to mesh", mesh_object.Label)
+    try:
+        shape = _shape_of(mesh_object.Mesh.copy())
+    except RuntimeError as error:
+        raise InputError("", "{} has no face to mesh: {}", mesh_object.Label, error) from error
     document = mesh_object.Document
     made = document.addObject("Part::Feature", f"{mesh_object.Name}Shape")
-    made.Label = f"{mesh_object.Label} shape"
-    made.Shape = _shape_of(mesh_object.Mesh.copy())
+    made.Label = tr("{} shape").format(mesh_object.Label)
+    made.Shape = shape
     mesh_object.Visibility = False
     return made
 

@@ -21,11 +21,11 @@ def take_over(gmsh_mesh):
     Raises InputError; nothing has changed then.
     """
     if not is_gmsh_mesh(gmsh_mesh):
-        raise InputError("", f"{gmsh_mesh.Label} is no mesh made with Gmsh")
+        raise InputError("", "{} is no mesh made with Gmsh", gmsh_mesh.Label)
     # FreeCAD 0.20 calls it Part, later versions Shape.
     source = getattr(gmsh_mesh, "Part", None) or getattr(gmsh_mesh, "Shape", None)
     if source is None:
-        raise InputError("", f"{gmsh_mesh.Label} has no object to mesh")
+        raise InputError("", "{} has no object to mesh", gmsh_mesh.Label)
     shape = cad_input.global_shape(source)
     walls = [entry for layer in gmsh_mesh.MeshBoundaryLayerList
              for entry in _walls(source, shape, layer)]

@@ -33,16 +33,17 @@ def check_readable(path: str, freecad: bool) -> None:
     """Raises InputError for an unknown ending, a missing file, or one that cannot be read here."""
     ending = os.path.splitext(path)[1].lower()
     if ending not in ENDINGS:
-        raise InputError(KEY, f"has the unknown format {ending!r} ({' '.join(ENDINGS)}): {path}")
+        raise InputError(KEY, "has the unknown format {} ({}): {}", repr(ending), " ".join(ENDINGS),
+                         path)
     if not os.path.isfile(path):
-        raise InputError(KEY, f"is no file: {path}" if os.path.exists(path)
-                         else f"does not exist: {path}")
+        raise InputError(KEY, "is no file: {}" if os.path.exists(path) else "does not exist: {}",
+                         path)
     if not os.access(path, os.R_OK):
-        raise InputError(KEY, f"cannot be read: {path}")
+        raise InputError(KEY, "cannot be read: {}", path)
     if ending in _FREECAD and not freecad:
-        raise InputError(KEY, f"needs FreeCAD to be read: run the job with freecadcmd: {path}")
+        raise InputError(KEY, "needs FreeCAD to be read: run the job with freecadcmd: {}", path)
     if ending in _MESHIO and importlib.util.find_spec("meshio") is None:
-        raise InputError(KEY, f"needs the Python package meshio (python3-meshio): {path}")
+        raise InputError(KEY, "needs the Python package meshio (python3-meshio): {}", path)
 
 
 def read(path: str) -> Arrays:
@@ -60,9 +61,9 @@ def read(path: str) -> Arrays:
         triangles = triangles_of(cells)
     except Exception as error:  # each reader has its own ways to fail
         text = " ".join(str(error).split()) or type(error).__name__
-        raise InputError(KEY, f"cannot be read: {text}: {path}") from error
+        raise InputError(KEY, "cannot be read: {}: {}", text, path) from error
     if not len(triangles):
-        raise InputError(KEY, f"has no surface elements: {path}")
+        raise InputError(KEY, "has no surface elements: {}", path)
     return points, triangles
 
 
@@ -96,7 +97,7 @@ def holds_mesh(document_object) -> bool:
 def of_object(document_object) -> Arrays:
     """The object's mesh, where it stands in the document. Raises InputError."""
     if not holds_mesh(document_object):
-        raise InputError(KEY, f"must be a mesh object, got {document_object.Label}")
+        raise InputError(KEY, "must be a mesh object, got {}", document_object.Label)
     if document_object.isDerivedFrom("Mesh::Feature"):
         points, facets = document_object.Mesh.Topology
         cells: Dict[str, Any] = {"triangle": np.array(facets, np.int64).reshape(-1, 3)}
@@ -105,7 +106,7 @@ def of_object(document_object) -> Arrays:
         points, cells = _of_fem(document_object.FemMesh)
     triangles = triangles_of(cells)
     if not len(triangles):
-        raise InputError(KEY, f"{document_object.Label} has no surface elements: mesh it first")
+        raise InputError(KEY, "{} has no surface elements: mesh it first", document_object.Label)
     return _placed(document_object, points), triangles
 
 
@@ -136,11 +137,13 @@ def in_document(document, given):
         check_readable(given, freecad=True)
         return add_to(document, read(given), os.path.basename(given))
     if isinstance(given, tuple):
-        return add_to(document, given, "Initial mesh")
+        from advlayers.language import tr
+
+        return add_to(document, given, tr("Initial mesh"))
     if given.Document is not document:
-        raise InputError(KEY, f"must be in the same document as the shape, got {given.Label}")
+        raise InputError(KEY, "must be in the same document as the shape, got {}", given.Label)
     if not holds_mesh(given):
-        raise InputError(KEY, f"must be a mesh object, got {given.Label}")
+        raise InputError(KEY, "must be a mesh object, got {}", given.Label)
     return given
 
 

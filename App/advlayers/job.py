@@ -67,14 +67,14 @@ def _read_json(path: str) -> Dict[str, Any]:
         with open(path, encoding="utf-8-sig") as file:
             values = json.load(file, object_pairs_hook=no_doubles)
     except OSError as error:
-        raise InputError("", f"cannot read the job file: {error.strerror}") from error
+        raise InputError("", "cannot read the job file: {}", error.strerror) from error
     except UnicodeDecodeError as error:
         raise InputError("", "the job file is not UTF-8 text") from error
     except RecursionError as error:
         raise InputError("", "the job file is nested too deeply") from error
     except json.JSONDecodeError as error:
-        raise InputError(
-            "", f"the job file is no JSON: {error.msg} in line {error.lineno}") from error
+        raise InputError("", "the job file is no JSON: {} in line {}", error.msg,
+                         error.lineno) from error
     if not isinstance(values, dict):
         raise InputError("", "the job file must hold one JSON object")
     return values
@@ -96,7 +96,7 @@ def _check_files(job: Job, job_path: str) -> None:
     for key, path in targets:
         real = os.path.realpath(path)
         if real in taken:
-            raise InputError(key, f"would overwrite {taken[real]}: {path}")
+            raise InputError(key, "would overwrite {}: {}", taken[real], path)
         taken[real] = key
         _check_target(key, path)
     for key, path in targets[:len(job.outputs)]:
@@ -106,10 +106,10 @@ def _check_files(job: Job, job_path: str) -> None:
 def _check_target(key: str, path: str) -> None:
     folder = os.path.dirname(path)
     if not os.path.isdir(folder):
-        raise InputError(key, f"lies in a folder that does not exist: {folder}")
+        raise InputError(key, "lies in a folder that does not exist: {}", folder)
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise InputError(key, f"lies in a folder that cannot be written to: {folder}")
+        raise InputError(key, "lies in a folder that cannot be written to: {}", folder)
     if os.path.isdir(path):
-        raise InputError(key, f"is a folder: {path}")
+        raise InputError(key, "is a folder: {}", path)
     if os.path.exists(path) and not os.access(path, os.W_OK):
-        raise InputError(key, f"cannot be overwritten: {path}")
+        raise InputError(key, "cannot be overwritten: {}", path)

@@ -35,7 +35,7 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     try:
         mesher = core.Mesher(cad.model, core_settings(core, settings, cad.model.diagonal))
     except core.InvalidInput as error:
-        raise InputError("", str(error)) from error
+        raise InputError("", "{}", error) from error
     mesh = Run(lambda: mesher).finish(lambda reports: watch("meshing", reports))
     seconds.update(mesh.seconds)
 
@@ -57,7 +57,7 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
                 outputs.write(job.report, lambda temporary: _write_json(temporary, report))
             outputs.publish()
     except OSError as error:
-        raise InputError("outputs", f"cannot be written: {error}") from error
+        raise InputError("outputs", "cannot be written: {}", error) from error
     finally:
         _close(product.document)
     return report

@@ -18,12 +18,14 @@ from advlayers import (
     mesh_history, migrations)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.mesh_data import MeshData
 from advlayers.mesh_properties import add_properties, property_settings
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import from_property, plain_values, property_name, to_property
 from advlayers.proxy import Stateless, attach_view, prepare_view, show_mesh
 from advlayers.references import Picker, Problem, problems, remembered
+from advlayers.sentence import Sentence, listed
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS
 
@@ -78,13 +80,13 @@ def create(source, **settings):
     Raises InputError.
     """
     if getattr(source, "Document", None) is None:
-        raise InputError("", f"a document object is needed to mesh, got {source!r}")
+        raise InputError("", "a document object is needed to mesh, got {}", repr(source))
     if faceted.is_mesh(source):
         settings.setdefault("feature_angle", faceted.FEATURE_ANGLE)
-        source = _shape_of_mesh(source)
+        source = faceted.add_shape(source)
     shape = cad_input.global_shape(source)
     if shape.isNull() or not shape.Faces:
-        raise InputError("", f"{source.Label} has no face to mesh")
+        raise InputError("", "{} has no face to mesh", source.Label)
     checked = check_all(plain_values(settings, MESH_SETTINGS), MESH_SETTINGS)
     check_names(checked, len(shape.Faces), len(shape.Edges), source.Label)
     checked.update(default_lengths(checked, shape.BoundBox.DiagonalLength))
@@ -92,7 +94,7 @@ def create(source, **settings):
 
     created = source.Document.addObject("Fem::FemMeshObjectPython", "LayerMesh")
     LayerMesh(created)
-    created.Label = f"{source.Label} layers"
+    created.Label = tr("{} layers").format(source.Label)
     created.Part = source
     for entry in property_settings():
         setattr(created, property_name(entry), to_property(entry, checked[entry.key]))
@@ -100,13 +102,6 @@ def create(source, **settings):
     refresh_state(created)
     attach_view(created)
     return created
-
-
-def _shape_of_mesh(mesh_object):
-    try:
-        return faceted.add_shape(mesh_object)
-    except RuntimeError as error:
-        raise InputError("", f"{mesh_object.Label} has no face to mesh: {error}") from error
 
 
 @dataclass(frozen=True)
@@ -246,9 +241,10 @@ def check_references(document_object) -> None:
     """Raises InputError that names every reference that cannot be trusted."""
     found = reference_problems(document_object)
     if found:
-        texts = "; ".join(f"{problem.owner.Label}: {problem.text}" for problem in found)
-        raise InputError("", f"the model has changed under the references: {texts}. "
-                             "Pick them again, or use Follow References or Accept References")
+        texts = listed("; ", (Sentence("{}: {}", (problem.owner.Label, problem.said))
+                              for problem in found))
+        raise InputError("", "the model has changed under the references: {}. Pick them again, or "
+                         "use Follow References or Accept References", texts)
 
 
 def follow_references(document_object) -> None:
@@ -329,8 +325,8 @@ def _as_now(document_object, settings: str, points: Sequence[float],
 
 def _shape_of(document_object):
     if document_object.Part is None:
-        raise InputError("Part", f"of {document_object.Label} is empty: there is nothing to mesh")
+        raise InputError("", "Part of {} is empty: there is nothing to mesh", document_object.Label)
     shape = cad_input.global_shape(document_object.Part)
     if shape.isNull() or not shape.Faces:
-        raise InputError("Part", f"{document_object.Part.Label} has no face to mesh")
+        raise InputError("", "{} has no face to mesh", document_object.Part.Label)
     return shape

@@ -17,4 +17,4 @@ def export_mesh(mesh_object, path: str) -> None:
                 temporary, product))
             outputs.publish()
     except OSError as error:
-        raise InputError("file", f"cannot be written: {error}") from error
+        raise InputError("", "{} cannot be written: {}", path, error.strerror) from error

@@ -36,7 +36,7 @@ def names_on(source, references: Iterable[Reference]) -> List[str]:
 def _place_on(source, owner, sub: str) -> str:
     last = sub.rsplit(".", 1)[-1]
     if not last:
-        raise InputError("references", f"names all of {owner.Label}: pick its faces or edges")
+        raise InputError("references", "names all of {}: pick its faces or edges", owner.Label)
     if last.startswith("?"):
         return last
     theirs = Picker(cad_input.global_shape(owner))
@@ -45,5 +45,5 @@ def _place_on(source, owner, sub: str) -> str:
     for pick in ours.all_like(last):
         if ours.same(wanted, pick):
             return pick.name
-    raise InputError(
-        "references", f"names {last} of {owner.Label}, which is no part of {source.Label}")
+    raise InputError("references", "names {} of {}, which is no part of {}", last, owner.Label,
+                     source.Label)

@@ -6,6 +6,7 @@ from typing import Any, Dict, Iterable, Mapping
 import FreeCAD
 
 from advlayers.errors import InputError
+from advlayers.sentence import Sentence
 from advlayers.settings_table import Setting
 
 READ_ONLY, HIDDEN = 1, 2  # editor modes
@@ -63,9 +64,10 @@ def _refinement(key: str, text: str) -> Dict[str, Any]:
     try:
         x, y, z, size, *radius = (float(word) for word in text.split())
     except ValueError as error:
-        raise InputError(key, f'must hold texts like "x y z size radius", got {text!r}') from error
+        raise InputError(key, 'must hold texts like "x y z size radius", got {}',
+                         repr(text)) from error
     if len(radius) > 1:
-        raise InputError(key, f"holds more than five numbers: {text!r}")
+        raise InputError(key, "holds more than five numbers: {}", repr(text))
     return {"point": [x, y, z], "size": size, "radius": radius[0] if radius else 0.0}
 
 
@@ -85,5 +87,5 @@ def _in_unit(key: str, value, unit: str) -> float:
         plain = quantity.Unit == FreeCAD.Units.Unit()
         return quantity.Value if plain or not unit else float(quantity.getValueAs(unit))
     except (ValueError, ArithmeticError, SyntaxError, TypeError) as error:
-        what = f"in {unit}" if unit else "without a unit"
-        raise InputError(key, f"must be a number {what}, got {str(value)!r}") from error
+        what = Sentence("in {}", (unit,)) if unit else Sentence("without a unit")
+        raise InputError(key, "must be a number {}, got {}", what, repr(str(value))) from error

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, List, Sequence, Tuple
 
 from advlayers.errors import InputError
+from advlayers.sentence import Sentence
 
 Vector = Tuple[float, float, float]
 
@@ -53,7 +54,7 @@ class Problem:
 
     owner: Any  # the document object that holds it
     name: str
-    text: str
+    said: Sentence  # what is wrong with it
     found: str = ""  # the name that what was picked has now, where it is still there
 
 
@@ -74,12 +75,12 @@ class Picker:
         """Raises InputError where the shape has no such face, edge or vertex."""
         match = _NAME.fullmatch(name)
         if not match:
-            raise InputError("references", f"holds {name!r}, which is no face, edge or vertex")
+            raise InputError("references", "holds {}, which is no face, edge or vertex", repr(name))
         kind, number = match.group(1), int(match.group(2))
         things = self._list(kind)
         if number > len(things):
-            raise InputError(
-                "references", f"names {name}, but there are {len(things)} {_PLURALS[kind]}")
+            raise InputError("references", "names {}, but the shape has {} of that kind", name,
+                             len(things))
         return self._measured(name, things[number - 1])
 
     def all_like(self, name: str) -> List[Pick]:
@@ -143,7 +144,6 @@ def _measure_vertex(vertex):
 
 
 _LISTS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}
-_PLURALS = {"Face": "faces", "Edge": "edges", "Vertex": "vertices"}
 _MEASURES = {"Face": _measure_face, "Edge": _measure_edge, "Vertex": _measure_vertex}
 
 
@@ -191,11 +191,11 @@ def problems(owner, names: Iterable[str], kept: Sequence[str], picker: Picker) -
 
 def _problem(owner, name: str, kept, picker: Picker):
     if name.startswith("?"):
-        return Problem(owner, name, f"{name[1:]} is gone from the model")
+        return Problem(owner, name, Sentence("{} is gone from the model", (name[1:],)))
     try:
         now = picker.pick(name)
     except InputError:
-        return _lost(owner, name, kept, picker, f"{name} is not there any more")
+        return _lost(owner, name, kept, picker, Sentence("{} is not there any more", (name,)))
     if kept is None or picker.same(kept, now):
         return None
     likest = min(picker.all_like(name), key=lambda pick: picker.distance(kept, pick))
@@ -205,19 +205,20 @@ def _problem(owner, name: str, kept, picker: Picker):
         return _renamed(owner, name, exact)
     if own <= best and own < _TOO_DIFFERENT:
         return None
-    return _lost(owner, name, kept, picker, f"{name} is not what was picked")
+    return _lost(owner, name, kept, picker, Sentence("{} is not what was picked", (name,)))
 
 
-def _lost(owner, name: str, kept, picker: Picker, text: str) -> Problem:
+def _lost(owner, name: str, kept, picker: Picker, said: Sentence) -> Problem:
     """Says where what was picked may be now."""
     if kept is not None and picker.all_like(name):
         likest = min(picker.all_like(name), key=lambda pick: picker.distance(kept, pick))
         if picker.same(kept, likest):
             return _renamed(owner, name, likest)
         if likest.name != name and picker.distance(kept, likest) < _TOO_DIFFERENT:
-            return Problem(owner, name, f"{text}; {likest.name} is the likest to it", likest.name)
-    return Problem(owner, name, text)
+            said = Sentence("{}; {} is the likest to it", (said, likest.name))
+            return Problem(owner, name, said, likest.name)
+    return Problem(owner, name, said)
 
 
 def _renamed(owner, name: str, now: Pick) -> Problem:
-    return Problem(owner, name, f"{name} is called {now.name} now", now.name)
+    return Problem(owner, name, Sentence("{} is called {} now", (name, now.name)), now.name)

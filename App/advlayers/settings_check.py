@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, Iterable, Mapping, Tuple
 
 from advlayers.errors import InputError
 from advlayers.settings_table import (
-    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, range_text)
+    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, range_said)
 
 _NAME = re.compile(r"(Face|Edge)([1-9][0-9]*)")
 # Names that the mesh gives to groups by itself.
@@ -24,8 +24,9 @@ def check_all(values: Mapping[str, Any], table: Tuple[Setting, ...], where: str 
     for key in values:
         if key not in known:
             close = difflib.get_close_matches(str(key), known, n=1)
-            hint = f" (did you mean {close[0]}?)" if close else ""
-            raise InputError(f"{where}{key}", f"is no known key{hint}")
+            if close:
+                raise InputError(f"{where}{key}", "is no known key (did you mean {}?)", close[0])
+            raise InputError(f"{where}{key}", "is no known key")
     checked = {}
     for key, entry in known.items():
         if key not in values and entry.required:
@@ -45,7 +46,8 @@ def check_names(settings: Mapping[str, Any], faces: int, edges: int, what: str) 
             kind, number = _NAME.fullmatch(name).groups()
             count = faces if kind == "Face" else edges
             if int(number) > count:
-                raise InputError(key, f"names {name}, but {what} has {count} {kind.lower()}s")
+                raise InputError(key, "names {}, but {} has {} faces" if kind == "Face"
+                                 else "names {}, but {} has {} edges", name, what, count)
 
     if settings["faces"] != "all":
         check("faces", settings["faces"])
@@ -63,7 +65,7 @@ def check_names(settings: Mapping[str, Any], faces: int, edges: int, what: str) 
         for name in names:
             if name.startswith("Face") and settings["faces"] not in ("all", ()):
                 if name not in settings["faces"]:
-                    raise InputError(f"groups.{group}", f"names {name}, which is not in faces")
+                    raise InputError(f"groups.{group}", "names {}, which is not in faces", name)
 
 
 def _shown(value: Any) -> str:
@@ -73,13 +75,13 @@ def _shown(value: Any) -> str:
 
 def _number(key: str, value: Any, entry: Setting) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise InputError(key, f"must be a number, got {_shown(value)}")
+        raise InputError(key, "must be a number, got {}", _shown(value))
     try:
         number = float(value)
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
-        raise InputError(key, f"must be a finite number, got {_shown(value)}")
+        raise InputError(key, "must be a finite number, got {}", _shown(value))
     _check_range(key, number, entry)
     return number
 
@@ -90,16 +92,16 @@ def _check_range(key: str, number: float, entry: Setting) -> None:
     too_high = entry.high is not None and (
         number >= entry.high if entry.high_open else number > entry.high)
     if too_low or too_high:
-        raise InputError(key, f"must be {range_text(entry)}, got {number:g}")
+        raise InputError(key, "must be {}, got {}", range_said(entry), f"{number:g}")
 
 
 def _count(key: str, value: Any, entry: Setting) -> int:
     # A whole number may be written 3.0: JSON makes no difference between the two.
     if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value // 1:
-        raise InputError(key, f"must be a whole number, got {_shown(value)}")
+        raise InputError(key, "must be a whole number, got {}", _shown(value))
     _number(key, value, entry)
     if value > 1_000_000:
-        raise InputError(key, f"must be at most 1000000, got {_shown(value)}")
+        raise InputError(key, "must be at most 1000000, got {}", _shown(value))
     return int(value)
 
 
@@ -107,26 +109,26 @@ def _layers(key: str, value: Any, entry: Setting):
     if value == "isotropic":
         return value
     if isinstance(value, str):
-        raise InputError(key, f'must be a whole number or "isotropic", got {_shown(value)}')
+        raise InputError(key, 'must be a whole number or "isotropic", got {}', _shown(value))
     return _count(key, value, entry)
 
 
 def _choice(key: str, value: Any, entry: Setting) -> str:
     if value not in entry.choices:
         allowed = " or ".join(f'"{choice}"' for choice in entry.choices)
-        raise InputError(key, f"must be {allowed}, got {_shown(value)}")
+        raise InputError(key, "must be {}, got {}", allowed, _shown(value))
     return value
 
 
 def _flag(key: str, value: Any, _entry: Setting) -> bool:
     if not isinstance(value, bool):
-        raise InputError(key, f"must be true or false, got {_shown(value)}")
+        raise InputError(key, "must be true or false, got {}", _shown(value))
     return value
 
 
 def _text(key: str, value: Any, _entry: Setting) -> str:
     if not isinstance(value, str) or not value or "\0" in value:
-        raise InputError(key, f"must be a text, got {_shown(value)}")
+        raise InputError(key, "must be a text, got {}", _shown(value))
     return value
 
 
@@ -138,20 +140,20 @@ def _mesh(key: str, value: Any, entry: Setting) -> Any:
 
 def _paths(key: str, value: Any, entry: Setting) -> Tuple[str, ...]:
     if not isinstance(value, (list, tuple)):
-        raise InputError(key, f"must be a list of files, got {_shown(value)}")
+        raise InputError(key, "must be a list of files, got {}", _shown(value))
     return tuple(_text(f"{key}[{i}]", item, entry) for i, item in enumerate(value))
 
 
 def _names(key: str, value: Any, kinds: Tuple[str, ...], empty: bool) -> Tuple[str, ...]:
     examples = " or ".join(f'"{kind}1"' for kind in kinds)
     if not isinstance(value, (list, tuple)):
-        raise InputError(key, f"must be a list of names like {examples}, got {_shown(value)}")
+        raise InputError(key, "must be a list of names like {}, got {}", examples, _shown(value))
     for name in value:
         match = _NAME.fullmatch(name) if isinstance(name, str) else None
         if not match or match.group(1) not in kinds:
-            raise InputError(key, f"holds {_shown(name)}, which is no name like {examples}")
+            raise InputError(key, "holds {}, which is no name like {}", _shown(name), examples)
         if list(value).count(name) > 1:
-            raise InputError(key, f"names {name} twice")
+            raise InputError(key, "names {} twice", name)
     if not value and not empty:
         raise InputError(key, "must not be empty")
     return tuple(value)
@@ -173,17 +175,17 @@ def _walls(key: str, value: Any, _entry: Setting):
     if value == "all":
         return value
     if not isinstance(value, (list, tuple)):
-        raise InputError(key, f'must be "all" or a list of walls, got {_shown(value)}')
+        raise InputError(key, 'must be "all" or a list of walls, got {}', _shown(value))
     return _entries(key, value, WALL_SETTINGS)
 
 
 def _entries(key: str, value: Any, table: Tuple[Setting, ...]) -> Tuple[Dict, ...]:
     if not isinstance(value, (list, tuple)):
-        raise InputError(key, f"must be a list, got {_shown(value)}")
+        raise InputError(key, "must be a list, got {}", _shown(value))
     entries = []
     for i, item in enumerate(value):
         if not isinstance(item, dict):
-            raise InputError(f"{key}[{i}]", f"must be an object, got {_shown(item)}")
+            raise InputError(f"{key}[{i}]", "must be an object, got {}", _shown(item))
         entries.append(check_all(item, table, where=f"{key}[{i}]."))
     return tuple(entries)
 
@@ -198,17 +200,17 @@ def _refinements(key: str, value: Any, _entry: Setting) -> Tuple[Dict, ...]:
 
 def _point(key: str, value: Any, entry: Setting) -> Tuple[float, ...]:
     if not isinstance(value, (list, tuple)) or len(value) != 3:
-        raise InputError(key, f"must be three numbers, got {_shown(value)}")
+        raise InputError(key, "must be three numbers, got {}", _shown(value))
     return tuple(_number(f"{key}[{i}]", item, entry) for i, item in enumerate(value))
 
 
 def _groups(key: str, value: Any, _entry: Setting) -> Dict[str, Tuple[str, ...]]:
     if not isinstance(value, dict):
-        raise InputError(key, f"must be an object of names and lists, got {_shown(value)}")
+        raise InputError(key, "must be an object of names and lists, got {}", _shown(value))
     groups = {}
     for name, members in value.items():
         if not isinstance(name, str) or not name.strip() or not name.isprintable():
-            raise InputError(key, f"holds the name {_shown(name)}, which cannot be written")
+            raise InputError(key, "holds the name {}, which cannot be written", _shown(name))
         if _OWN_GROUP.fullmatch(name):
             raise InputError(f"{key}.{name}", "is a name that the mesh itself gives to a group")
         groups[name] = _names(f"{key}.{name}", members, ("Face", "Edge"), empty=False)

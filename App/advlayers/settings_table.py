@@ -5,7 +5,9 @@ Lengths are in mm and angles in degrees throughout.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Tuple, Union
+from typing import Any, FrozenSet, Optional, Tuple, Union
+
+from advlayers.sentence import Sentence
 
 
 @dataclass(frozen=True)
@@ -244,15 +246,30 @@ def setting(key: str, table: Tuple[Setting, ...] = MESH_SETTINGS) -> Setting:
     return next(entry for entry in table if entry.key == key)
 
 
-def range_text(entry: Setting) -> str:
-    """The allowed range in words: "> 0 mm", ">= 0 and < 180 deg"; empty without a bound."""
+def keys() -> FrozenSet[str]:
+    """Of all settings, and what an InputError of another origin has for one."""
+    tables = (MESH_SETTINGS, JOB_SETTINGS, WALL_SETTINGS, SIZE_SETTINGS, REFINEMENT_SETTINGS)
+    return frozenset(entry.key for table in tables for entry in table) | {
+        "references", "condition", "file"}
+
+
+def label(key: str) -> str:
+    """As the window shows a setting: "First height" of "first_height"."""
+    return key.replace("_", " ").capitalize()
+
+
+def range_said(entry: Setting) -> Sentence:
+    """The allowed range: "> 0 mm", ">= 0 and < 180 deg"; empty without a bound."""
     unit = f" {entry.unit}" if entry.unit else ""
     bounds = []
     if entry.low is not None:
         bounds.append(f"{'>' if entry.low_open else '>='} {entry.low:g}")
     if entry.high is not None:
         bounds.append(f"{'<' if entry.high_open else '<='} {entry.high:g}")
-    return " and ".join(bounds) + unit if bounds else ""
+    if not bounds:
+        return Sentence("")
+    bounds[-1] += unit
+    return Sentence("{} and {}", tuple(bounds)) if len(bounds) == 2 else Sentence(bounds[0])
 
 
 def unset_value(entry: Setting) -> Union[str, int]:

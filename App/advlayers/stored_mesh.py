@@ -35,7 +35,7 @@ def read(mesh_object) -> StoredMesh:
     """Raises InputError where the object has not been meshed."""
     fem = mesh_object.FemMesh
     if not fem.FaceCount:
-        raise InputError("", f"{mesh_object.Label} has no mesh yet: mesh it first")
+        raise InputError("", "{} has no mesh yet: mesh it first", mesh_object.Label)
     groups = _groups(fem)
     elements = element_mesh.of_fem(fem)
     quads, nodes = len(elements.quads), len(elements.nodes)

@@ -15,8 +15,10 @@ import numpy as np
 
 from advlayers import cad_input, stored_mesh
 from advlayers.errors import InputError
+from advlayers.language import tr
 from advlayers.layer_mesh import window_watch
 from advlayers.mesh_groups import face_of_element
+from advlayers.sentence import Sentence
 from advlayers.triangle_mesh import triangles_of
 
 _POLL = 0.05  # [s] between two looks at the program
@@ -40,7 +42,7 @@ def fill(mesh_object):
     fem = _fem_mesh(mesh, nodes, cells, elements, tetrahedra)
 
     made = mesh_object.Document.addObject("Fem::FemMeshObject", f"{mesh_object.Name}_Volume")
-    made.Label = f"{mesh_object.Label} volume"
+    made.Label = tr("{} volume").format(mesh_object.Label)
     # FEM looks for the shape here when it searches the nodes of a constraint.
     made.addProperty("App::PropertyLinkGlobal", "Part", "Geometry", "The object that is meshed.")
     made.Part = mesh_object.Part
@@ -71,8 +73,9 @@ def check_closed(mesh, label: str) -> None:
     open_sides = unique[counts < 2]
     if len(open_sides):
         place = mesh.nodes[open_sides[0]].mean(axis=0)
-        raise InputError("", f"{label} is not closed: {len(open_sides)} sides of elements have no "
-                             f"neighbour, one at ({place[0]:.6g}, {place[1]:.6g}, {place[2]:.6g})")
+        raise InputError("", "{} is not closed: {} sides of elements have no neighbour, one at "
+                         "({}, {}, {})", label, len(open_sides), f"{place[0]:.6g}",
+                         f"{place[1]:.6g}", f"{place[2]:.6g}")
 
 
 def _solids(source, meshed: List[int]) -> List[List[int]]:
@@ -103,8 +106,9 @@ def _run(command: str, nodes, cells, faces, solids, size: float) -> Tuple[Any, A
                   if line.startswith("Error")]
         found = _read_msh(path) if os.path.exists(path) else (nodes, np.zeros((0, 4), int))
     if status or not len(found[1]):
-        why = errors[0] if errors else f"no tetrahedron came out, exit status {status}"
-        raise InputError("", f"Gmsh cannot fill the mesh: {why}")
+        why = errors[0] if errors else Sentence("no tetrahedron came out, exit status {}",
+                                                (status,))
+        raise InputError("", "Gmsh cannot fill the mesh: {}", why)
     return _surface_first(nodes, *found)
 
 

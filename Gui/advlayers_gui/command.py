@@ -25,18 +25,24 @@ class Command:
         return {"Pixmap": icon(f"AdvLayers_{self.NAME}"), "MenuText": self.MENU,
                 "ToolTip": self.TOOLTIP, "Accel": self.KEYS}
 
+    @property
+    def title(self) -> str:
+        """In the user's language; of a step of undo."""
+        return FreeCAD.Qt.translate(f"AdvLayers_{self.NAME}", self.MENU).rstrip("…")
+
     def IsActive(self) -> bool:
         return FreeCAD.ActiveDocument is not None and not FreeCADGui.Control.activeDialog()
 
     def Activated(self) -> None:
         from advlayers.errors import Stopped
+        from advlayers.sentence import of_error
 
         try:
             self.run()
         except Stopped:
             pass
         except (ValueError, RuntimeError) as error:
-            show_error(str(error))
+            show_error(of_error(error).translated)
 
     def run(self) -> None:
         raise NotImplementedError

@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from advlayers import controls
 from advlayers.errors import InputError
-from advlayers.language import tr
+from advlayers.language import tr, tr_doc
 from advlayers.picked_names import link_value, names_on
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import ReferenceList
@@ -56,7 +56,8 @@ class ControlEditor:
         self._condition.setObjectName("AdvLayers_condition")
         self._condition.addItems(list(condition_texts().values()))
         self._condition.setCurrentIndex(controls.CONDITIONS.index(self._control.Condition))
-        self._condition.setToolTip(self._control.getDocumentationOfProperty("Condition"))
+        self._condition.setToolTip(
+            tr_doc(self._control.getDocumentationOfProperty("Condition")))
         self._condition.currentIndexChanged.connect(self._set_condition)
         layout.addRow(tr("Condition"), self._condition)
 

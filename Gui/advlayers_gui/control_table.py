@@ -158,7 +158,7 @@ class ControlTable:
                                      condition=condition or controls.CONDITIONS[0],
                                      label=condition)
         except InputError as error:
-            self._on_refused(str(error) if names else
+            self._on_refused(error.sentence.translated if names else
                              tr("select faces or edges in the 3D view first"))
             return
         self.load()

@@ -7,7 +7,6 @@ import FreeCAD
 import FreeCADGui
 
 from advlayers_gui import selected
-from advlayers.language import tr
 from advlayers_gui.command import Command, Transaction, do, in_code
 
 
@@ -25,13 +24,13 @@ class LayerMesh(Command):
 
         found = selected.source()
         if found is None:
-            raise InputError("", tr("Select the shape to mesh, or some of its faces, first."))
+            raise InputError("", "Select the shape to mesh, or some of its faces, first.")
         source, faces = found
         load_core()
         settings = {**preferences.settings(), **({"faces": faces} if faces else {})}
         document = source.Document
         words = "".join(f", {key}={value!r}" for key, value in settings.items())
-        document.openTransaction("Layer Mesh")
+        document.openTransaction(self.title)
         try:
             do("import advlayers")
             do(f"mesh = advlayers.make_layer_mesh({in_code(source)}, mesh_now=False{words})")
@@ -76,12 +75,12 @@ class _Child(Command):
         picks = selected.picks()
         mesh = selected.mesh_for(picks)
         if mesh is None:
-            raise InputError("", tr("Select the layer mesh as well: there are several."))
+            raise InputError("", "Select the layer mesh as well: there are several.")
         if not picks:
-            raise InputError("", tr("Select faces or edges of the meshed shape first."))
+            raise InputError("", "Select faces or edges of the meshed shape first.")
         # With the mesh at hand, the very names on the meshed object stand in the macro.
         references = ", ".join(f"({in_code(owner)}, {names!r})" for owner, names in picks)
-        with Transaction(mesh.Document, self.NAME):
+        with Transaction(mesh.Document, self.title):
             do("import advlayers")
             do(f"advlayers.{self.FUNCTION}({in_code(mesh)}, {self.arguments(references)})")
         mesh.Document.recompute()

@@ -29,7 +29,7 @@ class _OnMeshes(Command):
         from advlayers_gui.progress_window import shown_progress
 
         with shown_progress(mesh.Label):
-            call_on(mesh, self.MENU, *self.CALL)
+            call_on(mesh, self.title, *self.CALL)
 
 
 class _OnOneMesh(_OnMeshes):
@@ -40,7 +40,7 @@ class _OnOneMesh(_OnMeshes):
 
         meshes = selected.layer_meshes_or_all()
         if len(meshes) != 1:
-            raise InputError("", tr("Select one layer mesh first."))
+            raise InputError("", "Select one layer mesh first.")
         self.run_on(meshes[0])
 
 
@@ -68,7 +68,8 @@ class Check(_OnOneMesh):
     def run_on(self, mesh) -> None:
         from advlayers import check
 
-        lines = [f"{finding.severity}: {finding.text}{_at(finding.point)}"
+        words = {"error": tr("error"), "warning": tr("warning"), "info": tr("note")}
+        lines = [f"{words[finding.severity]}: {finding.text}{_at(finding.point)}"
                  for finding in check.check(mesh)]
         FreeCAD.Console.PrintMessage("\n".join([check.summary(mesh)] + lines) + "\n")
         FreeCADGui.getDocument(mesh.Document.Name).setEdit(mesh.Name)
@@ -117,7 +118,7 @@ class Export(_OnOneMesh):
     def ask(self, mesh) -> str:
         from advlayers.export import FORMATS, format_of
 
-        filters = [f"{entry.title} (*{_shown(ending)})" for ending, entry in FORMATS.items()]
+        filters = [f"{tr(entry.title)} (*{_shown(ending)})" for ending, entry in FORMATS.items()]
         start = os.path.join(os.path.dirname(mesh.Document.FileName), mesh.Label)
         path, chosen = QtGui.QFileDialog.getSaveFileName(
             FreeCADGui.getMainWindow(), tr("Export Mesh"), start, ";;".join(filters))[:2]
@@ -159,8 +160,8 @@ class TakeOver(Command):
         chosen = [entry for entry in FreeCADGui.Selection.getSelection()
                   if entry in self._gmsh_meshes()] or self._gmsh_meshes()
         if len(chosen) != 1:
-            raise InputError("", tr("Select one Gmsh mesh first."))
-        call_on(chosen[0], self.MENU, "from advlayers import gmsh_takeover",
+            raise InputError("", "Select one Gmsh mesh first.")
+        call_on(chosen[0], self.title, "from advlayers import gmsh_takeover",
                 "gmsh_takeover.take_over")
 
     @staticmethod

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 from advlayers import check, controls, layer_mesh, mesh_data
 from advlayers.element_mesh import ElementMesh
 from advlayers.errors import InputError
-from advlayers.language import tr
+from advlayers.language import tr, tr_doc
 from advlayers.mesh_data import MeshData, Place
 from advlayers.mesh_properties import property_settings
 from advlayers_gui import view_provider
@@ -103,7 +103,7 @@ class MeshPanel(TaskPanel):
         try:
             self._store()
         except InputError as error:
-            self._run.fail(str(error))
+            self._run.fail(error.sentence.translated)
             return False
         if self._outcome is not None:
             with _busy_pointer():
@@ -135,7 +135,7 @@ class MeshPanel(TaskPanel):
         self._forms: List[SettingsForm] = []
         self._tabs = QtGui.QTabWidget()
         self._tabs.setObjectName("AdvLayersTabs")
-        self._tabs.addTab(self._settings_tab(), tr("Mesh"))
+        self._tabs.addTab(self._settings_tab(), tr("General"))
         self._table = ControlTable(self._object, self._pick_bar.picks, self._changed,
                                    self._run.say)
         self._tabs.addTab(self._table.widget, tr("Walls"))
@@ -176,7 +176,7 @@ class MeshPanel(TaskPanel):
         """A box to tick for a property that is no setting of a job."""
         box = QtGui.QCheckBox(text)
         box.setObjectName(f"AdvLayers_{name}")
-        box.setToolTip(self._object.getDocumentationOfProperty(name))
+        box.setToolTip(tr_doc(self._object.getDocumentationOfProperty(name)))
         box.setChecked(getattr(self._object, name))
         box.toggled.connect(lambda on: self._set_flag(name, on))
         return box

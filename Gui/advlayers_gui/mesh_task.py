@@ -14,6 +14,7 @@ from advlayers.element_mesh import ElementMesh, of_core
 from advlayers.errors import Stopped
 from advlayers.mesh_data import MeshData
 from advlayers.meshing import Run
+from advlayers.sentence import of_error
 
 _POLL = 20  # [ms] between two looks at the worker
 # Time that a run may wait, all in all, for pictures to be drawn, so that a run too short to be
@@ -180,7 +181,7 @@ class MeshTask:
         except Stopped:
             self._on_stopped()
         except Exception as error:  # whatever the run raised is told where the user looks
-            self._on_failed(str(error) or type(error).__name__)
+            self._on_failed(of_error(error).translated)
         else:
             self._on_done(outcome)
 

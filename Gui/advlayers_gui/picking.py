@@ -40,7 +40,7 @@ class PickSession:
         try:
             return names_on(self._source, [pair for pair in picked if pair[1]])
         except InputError as error:
-            self._on_refused(str(error))
+            self._on_refused(error.sentence.translated)
             return []
 
     def select(self, names: Iterable[str]) -> None:

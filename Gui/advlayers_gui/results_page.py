@@ -10,6 +10,7 @@ from advlayers import check
 from advlayers.check import Finding
 from advlayers.language import tr
 from advlayers.mesh_data import FIELDS, HEIGHT, QUALITY, MeshData, Place
+from advlayers.sentence import stop_words
 from advlayers_gui.colours import title_of
 from advlayers_gui.histogram import BARS, Histogram
 
@@ -144,7 +145,7 @@ class ResultsPage:
         reason, point = _early_stop(wall)
         if point is not None:
             text = tr("{edge} on {face}: layers end here first: {reason}").format(
-                edge=wall["edge"], face=wall["face"], reason=stop_text(reason))
+                edge=wall["edge"], face=wall["face"], reason=stop_words(reason))
             self._on_place(self._data.place_near(point), text)
             return
         element = self._data.worst_height(int(wall["edge"][4:]), int(wall["face"][4:]))
@@ -159,17 +160,6 @@ class ResultsPage:
 
 # Ends that are no shortfall: there was nowhere to go on, or no need to.
 _EXPECTED = ("layers-reached", "isotropic", "closed", "merged")
-
-
-def stop_text(reason: str) -> str:
-    return {
-        "layers-reached": tr("all layers made"),
-        "isotropic": tr("as high as wide"),
-        "collision": tr("another front is too near"),
-        "closed": tr("the fronts have met"),
-        "blocked": tr("no valid element fits"),
-        "merged": tr("joined with its neighbour"),
-    }.get(reason, reason)
 
 
 def _early_stop(wall: Mapping[str, Any]):
@@ -211,7 +201,7 @@ def _wall_texts(wall: Mapping[str, Any]) -> List[str]:
     achieved = wall["achieved_first_height"]
     mean = achieved["mean"]
     asked = wall["requested_layers"]
-    stops = ", ".join(f"{stop_text(reason)} ({count})"
+    stops = ", ".join(f"{stop_words(reason)} ({count})"
                       for reason, count in sorted(wall["stops"].items(), key=lambda x: -x[1]))
     return [wall["edge"], wall["face"], _length(wall["first_height"]),
             f"{_length(mean)} ({_length(achieved['min'])} – {_length(achieved['max'])})",

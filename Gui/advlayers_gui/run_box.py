@@ -9,7 +9,7 @@ from PySide import QtGui
 from advlayers import layer_mesh
 from advlayers.errors import CoreMissing
 from advlayers.language import tr
-from advlayers.sentence import of_diagnostic
+from advlayers.sentence import of_diagnostic, of_error
 from advlayers_gui.mesh_task import Canvas, MeshTask, Outcome, Progress
 
 _STEPS = 1000  # of the progress bar
@@ -63,7 +63,7 @@ class RunBox:
             self._task = MeshTask(layer_mesh.prepare(self._mesh_object), self._progressed,
                                   self._done, self._failed, self._stopped, self._canvas)
         except (ValueError, RuntimeError, CoreMissing) as error:
-            self.fail(str(error))
+            self.fail(of_error(error).translated)
             return False
         self._button.setText(tr("Stop"))
         self._bar.setRange(0, 0)

@@ -9,9 +9,9 @@ from PySide import QtGui
 
 from advlayers.errors import InputError
 from advlayers.initial_mesh import holds_mesh
-from advlayers.language import tr
+from advlayers.language import tr, tr_doc
 from advlayers.properties import from_property, property_name, to_property
-from advlayers.settings_table import Setting, unset_value
+from advlayers.settings_table import Setting, label, unset_value
 
 _HIGHEST = 1e9  # where a setting has no bound of its own
 _HIGHEST_NUMBER = 1000.0  # of numbers without a unit: growths and ratios
@@ -24,7 +24,7 @@ class Field:
 
     def __init__(self, entry: Setting, widget) -> None:
         self.entry, self.widget = entry, widget
-        widget.setToolTip(entry.doc)
+        widget.setToolTip(tr_doc(entry.doc))
 
     def value(self) -> Any:
         raise NotImplementedError
@@ -249,8 +249,8 @@ def field_for(entry: Setting, document_object) -> Field:
 
 
 def label_of(entry: Setting) -> str:
-    """ "First height" of "first_height"."""
-    return tr(entry.key.replace("_", " ").capitalize())
+    """In the user's language."""
+    return tr(label(entry.key))
 
 
 class SettingsForm:
@@ -277,15 +277,15 @@ class SettingsForm:
         name = f"{type(self._object.Proxy).__name__}_{entry.key}"
         field.widget.setObjectName(name)
         field.widget.setMinimumWidth(_LEAST_WIDTH)
-        label = QtGui.QCheckBox(label_of(entry)) if optional else QtGui.QLabel(label_of(entry))
-        label.setToolTip(entry.doc)
+        title = QtGui.QCheckBox(label_of(entry)) if optional else QtGui.QLabel(label_of(entry))
+        title.setToolTip(tr_doc(entry.doc))
         if optional:
-            label.setObjectName(f"{name}_given")
-            label.toggled.connect(field.enable)
-            label.toggled.connect(lambda _on: self._edited())
-        layout.addRow(label, field.widget)
+            title.setObjectName(f"{name}_given")
+            title.toggled.connect(field.enable)
+            title.toggled.connect(lambda _on: self._edited())
+        layout.addRow(title, field.widget)
         self._fields.append(field)
-        self._given.append(label if optional else None)
+        self._given.append(title if optional else None)
 
     def load(self) -> None:
         self._loading = True
@@ -324,6 +324,6 @@ class SettingsForm:
         try:
             self.store()
         except InputError as error:
-            self._on_refused(str(error))
+            self._on_refused(error.sentence.translated)
         else:
             self._on_edited()

@@ -9,6 +9,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from advlayers import cad_input
+from advlayers.errors import InputError
 from advlayers.height_lines import wall_lines
 from advlayers.layer_mesh import settings_of
 from advlayers_gui.height_preview import HeightPreview
@@ -102,8 +103,8 @@ class TaskPanel:
             return ""
         try:
             settings = settings_of(mesh_object)
-        except ValueError as error:
-            return str(error)
+        except InputError as error:
+            return error.sentence.translated
         shape = cad_input.global_shape(mesh_object.Part)
         if len(shape.Edges) <= _MOST_EDGES:
             self.heights.show(wall_lines(shape, settings))

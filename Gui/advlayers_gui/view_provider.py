@@ -37,10 +37,10 @@ class EditedInPanel:
         try:
             self.panel = self.make_panel(view_object.Object)
         except InputError as error:
-            show_error(str(error))
+            show_error(error.sentence.translated)
             return False
         if not document.HasPendingTransaction:
-            document.openTransaction(self.panel.TITLE)
+            document.openTransaction(tr(self.panel.TITLE))
         FreeCADGui.Control.showDialog(self.panel)
         return True
 
@@ -57,7 +57,7 @@ class EditedInPanel:
 
     def doubleClicked(self, view_object) -> bool:
         if FreeCADGui.Control.activeDialog():
-            FreeCAD.Console.PrintWarning("Close the open task panel first.\n")
+            FreeCAD.Console.PrintWarning(tr("Close the open task panel first.") + "\n")
         else:
             view_object.Document.setEdit(view_object.Object.Name)
         return True
@@ -91,8 +91,8 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
         from advlayers_gui.mesh_panel import MeshPanel
 
         if document_object.Part is None:
-            raise InputError("Part", f"of {document_object.Label} is empty: there is nothing to "
-                                     "mesh")
+            raise InputError("", "Part of {} is empty: there is nothing to mesh",
+                             document_object.Label)
         return MeshPanel(document_object)
 
 
@@ -123,7 +123,7 @@ class ControlView(Stateless, EditedInPanel):
 
         mesh_object = mesh_of(document_object)
         if mesh_object is None or mesh_object.Part is None:
-            raise InputError("", f"{document_object.Label} belongs to no layer mesh of a shape")
+            raise InputError("", "{} belongs to no layer mesh of a shape", document_object.Label)
         return ControlPanel(document_object)
 
 

@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>Growth</source>
-        <translation>Wachstum</translation>
+        <translation>Wachstumsfaktor</translation>
     </message>
     <message>
         <source>How often the growing mesh is drawn, at most.</source>
@@ -104,11 +104,11 @@
     <name>AdvLayers_AcceptReferences</name>
     <message>
         <source>Accept References</source>
-        <translation>Bezüge annehmen</translation>
+        <translation>Referenzen annehmen</translation>
     </message>
     <message>
         <source>Takes lost references for what their names stand for now</source>
-        <translation>Nimmt verlorene Bezüge für das, wofür ihre Namen jetzt stehen</translation>
+        <translation>Nimmt verlorene Referenzen für das, wofür ihre Namen jetzt stehen</translation>
     </message>
 </context>
 <context>
@@ -119,7 +119,7 @@
     </message>
     <message>
         <source>Opens the results of the mesh: lost references, diagnostics, worst elements; a click leads to the place</source>
-        <translation>Öffnet die Ergebnisse des Netzes: verlorene Bezüge, Meldungen, schlechteste Elemente; ein Klick führt zur Stelle</translation>
+        <translation>Öffnet die Ergebnisse des Netzes: verlorene Referenzen, Meldungen, schlechteste Elemente; ein Klick führt zur Stelle</translation>
     </message>
 </context>
 <context>
@@ -214,11 +214,11 @@
     <name>AdvLayers_FollowReferences</name>
     <message>
         <source>Follow References</source>
-        <translation>Bezügen folgen</translation>
+        <translation>Referenzen nachführen</translation>
     </message>
     <message>
         <source>Gives lost references the names that what was picked has now, where it is still there</source>
-        <translation>Gibt verlorenen Bezügen die Namen, die das Gewählte jetzt hat, wo es noch da ist</translation>
+        <translation>Gibt verlorenen Referenzen die Namen, die das Gewählte jetzt hat, wo es noch da ist</translation>
     </message>
 </context>
 <context>
@@ -258,7 +258,7 @@
     <name>AdvLayers_TakeOver</name>
     <message>
         <source>Makes a layer mesh with the sizes, boundary layers, regions and groups of the selected Gmsh mesh, and puts it in its place in the analysis</source>
-        <translation>Macht ein Schichtnetz mit den Größen, Grenzschichten, Bereichen und Gruppen des gewählten Gmsh-Netzes und setzt es in der Analyse an dessen Stelle</translation>
+        <translation>Erzeugt ein Schichtnetz mit den Elementgrößen, Grenzschichten, Bereichen und Gruppen des gewählten Gmsh-Netzes und setzt es in der Analyse an dessen Stelle</translation>
     </message>
     <message>
         <source>Take over from Gmsh Mesh</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Makes a Mesh object of the layer mesh, each quad as two triangles</source>
-        <translation>Macht aus dem Schichtnetz ein Mesh-Objekt, jedes Viereck als zwei Dreiecke</translation>
+        <translation>Macht aus dem Schichtnetz ein Mesh-Objekt, aus jedem Viereck zwei Dreiecke</translation>
     </message>
 </context>
 <context>
@@ -312,6 +312,14 @@
 <context>
     <name>AdvancingLayers</name>
     <message>
+        <source>&gt; 1 and &lt;= 3</source>
+        <translation>&gt; 1 und &lt;= 3</translation>
+    </message>
+    <message>
+        <source>&gt; {} mm, {} of the shape's diagonal</source>
+        <translation>&gt; {} mm, {} der Diagonale der Form</translation>
+    </message>
+    <message>
         <source>A click shows the place</source>
         <translation>Ein Klick zeigt die Stelle</translation>
     </message>
@@ -321,7 +329,11 @@
     </message>
     <message>
         <source>A size of their own for the selected faces, edges and vertices</source>
-        <translation>Eine eigene Elementgröße für die gewählten Flächen, Kanten und Punkte</translation>
+        <translation>Eine eigene Elementgröße für die gewählten Flächen, Kanten und Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Abaqus</source>
+        <translation>Abaqus</translation>
     </message>
     <message>
         <source>Adds what is selected in the 3D view</source>
@@ -348,12 +360,16 @@
         <translation>Rand</translation>
     </message>
     <message>
+        <source>Close the open task panel first.</source>
+        <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
+    </message>
+    <message>
         <source>Cluster</source>
         <translation>Verdichtung</translation>
     </message>
     <message>
         <source>Colour by</source>
-        <translation>Färben nach</translation>
+        <translation>Einfärben nach</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -376,8 +392,20 @@
         <translation>Kante</translation>
     </message>
     <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
         <source>Edit</source>
         <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit Layer Mesh</source>
+        <translation>Schichtnetz bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit Wall, Size or Group</source>
+        <translation>Wand, Größe oder Gruppe bearbeiten</translation>
     </message>
     <message>
         <source>End height</source>
@@ -412,6 +440,10 @@
         <translation>Kantenwinkel</translation>
     </message>
     <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
         <source>Finishing the core</source>
         <translation>Der Kern wird vollendet</translation>
     </message>
@@ -420,16 +452,44 @@
         <translation>Erste Höhe</translation>
     </message>
     <message>
+        <source>FreeCAD document</source>
+        <translation>FreeCAD-Dokument</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Gmsh</source>
+        <translation>Gmsh</translation>
+    </message>
+    <message>
+        <source>Gmsh cannot fill the mesh: it moved the nodes of the surface</source>
+        <translation>Gmsh kann das Netz nicht füllen: es hat die Knoten der Oberfläche verschoben</translation>
+    </message>
+    <message>
+        <source>Gmsh cannot fill the mesh: {}</source>
+        <translation>Gmsh kann das Netz nicht füllen: {}</translation>
+    </message>
+    <message>
+        <source>Gmsh is not installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
+        <translation>Gmsh ist nicht installiert: Installieren Sie das Paket gmsh, oder geben Sie in FreeCAD unter Bearbeiten &gt; Einstellungen &gt; FEM &gt; Gmsh an, wo es liegt</translation>
+    </message>
+    <message>
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
     <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
         <source>Growth</source>
-        <translation>Wachstum</translation>
+        <translation>Wachstumsfaktor</translation>
     </message>
     <message>
         <source>Height asked</source>
-        <translation>Höhe verlangt</translation>
+        <translation>Soll-Höhe</translation>
     </message>
     <message>
         <source>Height error [%]</source>
@@ -437,15 +497,23 @@
     </message>
     <message>
         <source>Height got</source>
-        <translation>Höhe erreicht</translation>
+        <translation>Ist-Höhe</translation>
+    </message>
+    <message>
+        <source>I-DEAS universal</source>
+        <translation>I-DEAS Universal</translation>
     </message>
     <message>
         <source>Initial mesh</source>
         <translation>Ausgangsnetz</translation>
     </message>
     <message>
+        <source>Input</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
         <source>Inverted</source>
-        <translation>Umgeklappt</translation>
+        <translation>Invertiert</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -485,11 +553,15 @@
     </message>
     <message>
         <source>Lost references</source>
-        <translation>Verlorene Bezüge</translation>
+        <translation>Verlorene Referenzen</translation>
     </message>
     <message>
         <source>Match</source>
         <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Medit</source>
+        <translation>Medit</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -498,6 +570,10 @@
     <message>
         <source>Name</source>
         <translation>Name</translation>
+    </message>
+    <message>
+        <source>Nastran</source>
+        <translation>Nastran</translation>
     </message>
     <message>
         <source>No layers at the selected edges</source>
@@ -516,20 +592,40 @@
         <translation>Anzahl</translation>
     </message>
     <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Aus</translation>
     </message>
     <message>
         <source>On</source>
-        <translation>An</translation>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE failed on it: {}</source>
+        <translation>OpenCASCADE ist daran gescheitert: {}</translation>
     </message>
     <message>
         <source>Out of date</source>
         <translation>Veraltet</translation>
     </message>
     <message>
+        <source>Outputs</source>
+        <translation>Ausgaben</translation>
+    </message>
+    <message>
+        <source>Part of {} is empty: there is nothing to mesh</source>
+        <translation>Part von {} ist leer: Es gibt nichts zu vernetzen</translation>
+    </message>
+    <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Teilfläche {patch} von {patches} · Schicht {layer}</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>Preview: {}</source>
@@ -548,6 +644,10 @@
         <translation>Radius</translation>
     </message>
     <message>
+        <source>References</source>
+        <translation>Referenzen</translation>
+    </message>
+    <message>
         <source>Refinements</source>
         <translation>Verfeinerungen</translation>
     </message>
@@ -560,8 +660,16 @@
         <translation>Entfernt die markierte Zeile</translation>
     </message>
     <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
         <source>Results</source>
         <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Salome MED</source>
+        <translation>Salome MED</translation>
     </message>
     <message>
         <source>Segments</source>
@@ -577,7 +685,7 @@
     </message>
     <message>
         <source>Select faces, edges and vertices in the 3D view.</source>
-        <translation>Flächen, Kanten und Punkte in der 3D-Ansicht wählen.</translation>
+        <translation>Wählen Sie Flächen, Kanten und Eckpunkte in der 3D-Ansicht.</translation>
     </message>
     <message>
         <source>Select one Gmsh mesh first.</source>
@@ -628,8 +736,16 @@
         <translation>Größenwachstum</translation>
     </message>
     <message>
+        <source>Sizes</source>
+        <translation>Elementgrößen</translation>
+    </message>
+    <message>
         <source>Smooth</source>
         <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Stanford polygons</source>
+        <translation>Stanford-Polygone</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -642,6 +758,10 @@
     <message>
         <source>Stopping…</source>
         <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>Strict</source>
+        <translation>Streng</translation>
     </message>
     <message>
         <source>Takes the marked rows off the list</source>
@@ -704,6 +824,14 @@
         <translation>Automatisch aktualisieren</translation>
     </message>
     <message>
+        <source>VTK legacy</source>
+        <translation>VTK (alt)</translation>
+    </message>
+    <message>
+        <source>VTK unstructured grid</source>
+        <translation>VTK, unstrukturiertes Gitter</translation>
+    </message>
+    <message>
         <source>Values</source>
         <translation>Werte</translation>
     </message>
@@ -716,8 +844,20 @@
         <translation>Wände</translation>
     </message>
     <message>
+        <source>Wavefront</source>
+        <translation>Wavefront</translation>
+    </message>
+    <message>
+        <source>a document object is needed to mesh, got {}</source>
+        <translation>Zum Vernetzen wird ein Objekt eines Dokuments gebraucht, angegeben ist {}</translation>
+    </message>
+    <message>
         <source>a face</source>
         <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a face needs a size</source>
+        <translation>eine Fläche braucht eine Elementgröße</translation>
     </message>
     <message>
         <source>all faces</source>
@@ -736,6 +876,10 @@
         <translation>eine Kante</translation>
     </message>
     <message>
+        <source>an entry needs a size, segments or cluster</source>
+        <translation>ein Eintrag braucht eine Elementgröße, eine Zahl von Abschnitten oder eine Verdichtung</translation>
+    </message>
+    <message>
         <source>another front is too near</source>
         <translation>eine andere Front ist zu nah</translation>
     </message>
@@ -744,16 +888,104 @@
         <translation>so hoch wie breit</translation>
     </message>
     <message>
+        <source>both_ends needs a cluster</source>
+        <translation>Beide Enden braucht eine Verdichtung</translation>
+    </message>
+    <message>
+        <source>cannot be overwritten: {}</source>
+        <translation>lässt sich nicht überschreiben: {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}</source>
+        <translation>lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}: {}</source>
+        <translation>lässt sich nicht lesen: {}: {}</translation>
+    </message>
+    <message>
+        <source>cannot be used: {}: {}</source>
+        <translation>ist nicht zu gebrauchen: {}: {}</translation>
+    </message>
+    <message>
+        <source>cannot be written: {}</source>
+        <translation>lässt sich nicht schreiben: {}</translation>
+    </message>
+    <message>
+        <source>cannot read the job file: {}</source>
+        <translation>die Auftragsdatei lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>does not exist: {}</source>
+        <translation>gibt es nicht: {}</translation>
+    </message>
+    <message>
         <source>element {number} {where}: angles from {least:.1f}° to {largest:.1f}°</source>
         <translation>Element {number} {where}: Winkel von {least:.1f}° bis {largest:.1f}°</translation>
     </message>
     <message>
         <source>element {}: quality {:.2f}</source>
-        <translation>Element {}: Güte {:.2f}</translation>
+        <translation>Element {}: Qualität {:.2f}</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>first height {} (blue)</source>
         <translation>erste Höhe {} (blau)</translation>
+    </message>
+    <message>
+        <source>from 1 to 1000000</source>
+        <translation>von 1 bis 1000000</translation>
+    </message>
+    <message>
+        <source>from 1e-6 to 1e6</source>
+        <translation>von 1e-6 bis 1e6</translation>
+    </message>
+    <message>
+        <source>has no surface elements: {}</source>
+        <translation>hat keine Flächenelemente: {}</translation>
+    </message>
+    <message>
+        <source>has the unknown format {} (known: {}): {}</source>
+        <translation>hat das unbekannte Format {} (bekannt: {}): {}</translation>
+    </message>
+    <message>
+        <source>has the unknown format {} ({}): {}</source>
+        <translation>hat das unbekannte Format {} ({}): {}</translation>
+    </message>
+    <message>
+        <source>holds more than five numbers: {}</source>
+        <translation>mehr als fünf Zahlen: {}</translation>
+    </message>
+    <message>
+        <source>holds no face to mesh: {}</source>
+        <translation>keine Fläche zum Vernetzen: {}</translation>
+    </message>
+    <message>
+        <source>holds the name {}, which cannot be written</source>
+        <translation>der Name {} lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>holds {}, which is no face, edge or vertex</source>
+        <translation>{} ist keine Fläche, keine Kante und kein Eckpunkt</translation>
+    </message>
+    <message>
+        <source>holds {}, which is no name like {}</source>
+        <translation>{} ist kein Name wie {}</translation>
+    </message>
+    <message>
+        <source>in (0, 1e8]</source>
+        <translation>in (0, 1e8]</translation>
+    </message>
+    <message>
+        <source>in (0, 90] degrees</source>
+        <translation>in (0, 90] Grad</translation>
+    </message>
+    <message>
+        <source>in [0, 180) degrees</source>
+        <translation>in [0, 180) Grad</translation>
     </message>
     <message>
         <source>in layer {}</source>
@@ -768,8 +1000,108 @@
         <translation>im Kern</translation>
     </message>
     <message>
+        <source>in {}</source>
+        <translation>in {}</translation>
+    </message>
+    <message>
+        <source>is a folder: {}</source>
+        <translation>ist ein Ordner: {}</translation>
+    </message>
+    <message>
+        <source>is a name that the mesh itself gives to a group</source>
+        <translation>diesen Namen gibt das Netz selbst einer Gruppe</translation>
+    </message>
+    <message>
+        <source>is for FCStd files only, got {}</source>
+        <translation>nur bei FCStd-Dateien, angegeben ist {}</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is no file: {}</source>
+        <translation>ist keine Datei: {}</translation>
+    </message>
+    <message>
+        <source>is no known key</source>
+        <translation>ist kein bekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>is no known key (did you mean {}?)</source>
+        <translation>ist kein bekannter Schlüssel (war {} gemeint?)</translation>
+    </message>
+    <message>
+        <source>it bounds no face</source>
+        <translation>sie begrenzt keine Fläche</translation>
+    </message>
+    <message>
+        <source>it bounds {} alone</source>
+        <translation>sie begrenzt nur {}</translation>
+    </message>
+    <message>
+        <source>it has no area</source>
+        <translation>sie hat keinen Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>it has no boundary wire</source>
+        <translation>sie hat keinen Rand</translation>
+    </message>
+    <message>
+        <source>it has no element about {} on {}: it is a mesh of another shape, or not whole</source>
+        <translation>es hat kein Element bei {} auf {}: Es ist das Netz einer anderen Form, oder unvollständig</translation>
+    </message>
+    <message>
+        <source>it has no finite bounds</source>
+        <translation>sie ist unbegrenzt</translation>
+    </message>
+    <message>
+        <source>it has no surface</source>
+        <translation>sie hat keine Trägerfläche</translation>
+    </message>
+    <message>
+        <source>it has no surface elements</source>
+        <translation>es hat keine Flächenelemente</translation>
+    </message>
+    <message>
+        <source>it is a pole without length</source>
+        <translation>sie ist ein Pol ohne Länge</translation>
+    </message>
+    <message>
+        <source>its boundary is open after {}</source>
+        <translation>ihr Rand ist offen nach {}</translation>
+    </message>
+    <message>
+        <source>its boundary runs around the closed surface without a seam, at {}</source>
+        <translation>ihr Rand läuft ohne Naht um die geschlossene Fläche herum, bei {}</translation>
+    </message>
+    <message>
+        <source>its faces meet at {} degrees, and {} is the most that layers run over</source>
+        <translation>ihre Flächen treffen sich unter {} Grad; Schichten laufen höchstens über {} Grad hinweg</translation>
+    </message>
+    <message>
+        <source>its faces use it more than twice</source>
+        <translation>ihre Flächen benutzen sie mehr als zweimal</translation>
+    </message>
+    <message>
         <source>joined with its neighbour</source>
         <translation>mit dem Nachbarn verschmolzen</translation>
+    </message>
+    <message>
+        <source>layers 0 grows until the fronts close, which leaves no choice of thickness</source>
+        <translation>0 Schichten heißt: bis die Fronten sich schließen; das lässt keine Wahl der Dicke</translation>
+    </message>
+    <message>
+        <source>lies in a folder that cannot be written to: {}</source>
+        <translation>in diesen Ordner lässt sich nichts schreiben: {}</translation>
+    </message>
+    <message>
+        <source>lies in a folder that does not exist: {}</source>
+        <translation>diesen Ordner gibt es nicht: {}</translation>
     </message>
     <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
@@ -780,6 +1112,122 @@
         <translation>Für sich vernetzt, weil sie enger gekrümmt sind, als Schichten dieser Größe folgen können: {}</translation>
     </message>
     <message>
+        <source>must be "all" or a list of walls, got {}</source>
+        <translation>verlangt ist "all" oder eine Liste von Wänden, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a finite number, got {}</source>
+        <translation>verlangt ist eine endliche Zahl, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a list of files, got {}</source>
+        <translation>verlangt ist eine Liste von Dateien, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a list of names like {}, got {}</source>
+        <translation>verlangt ist eine Liste von Namen wie {}, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a list, got {}</source>
+        <translation>verlangt ist eine Liste, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a mesh object, got {}</source>
+        <translation>verlangt ist ein Netzobjekt, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a number {}, got {}</source>
+        <translation>verlangt ist eine Zahl {}, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a number, got {}</source>
+        <translation>verlangt ist eine Zahl, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a text, got {}</source>
+        <translation>verlangt ist ein Text, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a whole number or "isotropic", got {}</source>
+        <translation>verlangt ist eine ganze Zahl oder "isotropic", angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a whole number, got {}</source>
+        <translation>verlangt ist eine ganze Zahl, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be an object of names and lists, got {}</source>
+        <translation>verlangt ist ein Objekt aus Namen und Listen, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be an object, got {}</source>
+        <translation>verlangt ist ein Objekt, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be at most 1000000, got {}</source>
+        <translation>höchstens 1000000, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be in the same document as the shape, got {}</source>
+        <translation>muss im selben Dokument liegen wie die Form, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be one of {}, got {}</source>
+        <translation>verlangt ist eines von {}, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be three numbers, got {}</source>
+        <translation>verlangt sind drei Zahlen, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be true or false, got {}</source>
+        <translation>verlangt ist wahr oder falsch, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be {}, got {}</source>
+        <translation>verlangt ist {}, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must hold texts like "x y z size radius", got {}</source>
+        <translation>verlangt sind Texte wie "x y z Größe Radius", angegeben {}</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>ohne Angabe geht es nicht</translation>
+    </message>
+    <message>
+        <source>names all of {}: pick its faces or edges</source>
+        <translation>{} ist als Ganzes genannt: Wählen Sie Flächen oder Kanten davon</translation>
+    </message>
+    <message>
+        <source>names no file, and there is no report: nothing to do</source>
+        <translation>keine Datei genannt, und kein Bericht: nichts zu tun</translation>
+    </message>
+    <message>
+        <source>names {} of {}, which is no part of {}</source>
+        <translation>{} von {} ist genannt, das kein Teil von {} ist</translation>
+    </message>
+    <message>
+        <source>names {} twice</source>
+        <translation>{} ist doppelt genannt</translation>
+    </message>
+    <message>
+        <source>names {}, but the shape has {} of that kind</source>
+        <translation>{} ist genannt, aber die Form hat {} davon</translation>
+    </message>
+    <message>
+        <source>names {}, but {} has {} edges</source>
+        <translation>{} ist genannt, aber die Kanten von {} sind nur {}</translation>
+    </message>
+    <message>
+        <source>names {}, but {} has {} faces</source>
+        <translation>{} ist genannt, aber die Flächen von {} sind nur {}</translation>
+    </message>
+    <message>
+        <source>names {}, which is not in faces</source>
+        <translation>{} ist genannt, aber nicht unter den zu vernetzenden Flächen</translation>
+    </message>
+    <message>
         <source>narrower than a tenth of the size, and their elements with them: {}</source>
         <translation>Schmaler als ein Zehntel der Größe, und ihre Elemente mit ihnen: {}</translation>
     </message>
@@ -788,12 +1236,60 @@
         <translation>Schmaler als ein Zehntel der Größe, und ihre Elemente mit ihnen: {} und {} weitere</translation>
     </message>
     <message>
+        <source>needs FreeCAD to be read: run the job with freecadcmd: {}</source>
+        <translation>braucht zum Lesen FreeCAD: Führen Sie den Auftrag mit freecadcmd aus: {}</translation>
+    </message>
+    <message>
+        <source>needs FreeCAD to be written: run the job with freecadcmd: {}</source>
+        <translation>braucht zum Schreiben FreeCAD: Führen Sie den Auftrag mit freecadcmd aus: {}</translation>
+    </message>
+    <message>
+        <source>needs the Python package meshio (python3-meshio): {}</source>
+        <translation>braucht das Python-Paket meshio (python3-meshio): {}</translation>
+    </message>
+    <message>
+        <source>no growth from 1 to 10 makes {} layers from {} mm {} mm thick</source>
+        <translation>kein Wachstumsfaktor von 1 bis 10 macht {} Schichten ab {} mm zusammen {} mm dick</translation>
+    </message>
+    <message>
+        <source>no tetrahedron came out, exit status {}</source>
+        <translation>es kam kein Tetraeder heraus, Rückgabewert {}</translation>
+    </message>
+    <message>
         <source>no valid element fits</source>
         <translation>kein gültiges Element passt</translation>
     </message>
     <message>
+        <source>node {} (from 0) at {} lies {} mm off the shape; the most is {} mm, a quarter of the mesh's edge length there</source>
+        <translation>Knoten {} (von 0 gezählt) bei {} liegt {} mm neben der Form; erlaubt sind {} mm, ein Viertel der dortigen Kantenlänge des Netzes</translation>
+    </message>
+    <message>
+        <source>node {} (from 0) has the coordinates {}</source>
+        <translation>Knoten {} (von 0 gezählt) hat die Koordinaten {}</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keines</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>of a new {} must not be empty</source>
+        <translation>für das neue Objekt ({}) ist nichts gewählt</translation>
+    </message>
+    <message>
+        <source>of a {} cannot hold {}</source>
+        <translation>für ein solches Objekt ({}) nicht möglich: {}</translation>
+    </message>
+    <message>
+        <source>of {} are missing: pick faces or edges</source>
+        <translation>bei {} ist nichts gewählt: Wählen Sie Flächen oder Kanten</translation>
+    </message>
+    <message>
+        <source>of {} is needed about {}</source>
+        <translation>fehlt bei {} für die Umgebung von {}</translation>
     </message>
     <message>
         <source>pick a face or an edge of {}</source>
@@ -801,11 +1297,23 @@
     </message>
     <message>
         <source>pick a face, an edge or a vertex of {}</source>
-        <translation>wählen Sie eine Fläche, eine Kante oder einen Punkt von {}</translation>
+        <translation>wählen Sie eine Fläche, eine Kante oder einen Eckpunkt von {}</translation>
+    </message>
+    <message>
+        <source>point {} of a triangulation is not finite</source>
+        <translation>Punkt {} einer Triangulierung ist nicht endlich</translation>
     </message>
     <message>
         <source>quads</source>
         <translation>Vierecke</translation>
+    </message>
+    <message>
+        <source>result() was called already; keep what it gave</source>
+        <translation>result() wurde schon aufgerufen; behalten Sie, was es ergab</translation>
+    </message>
+    <message>
+        <source>segments and cluster are of edges, and the entry lists none</source>
+        <translation>Abschnitte und Verdichtung gelten für Kanten, und es ist keine gewählt</translation>
     </message>
     <message>
         <source>select faces or edges in the 3D view first</source>
@@ -824,6 +1332,10 @@
         <translation>Beim Nähen wurden {} Kanten verbunden; freie Kanten übrig: {}</translation>
     </message>
     <message>
+        <source>sewing left nothing of the shape</source>
+        <translation>das Nähen hat von der Form nichts übrig gelassen</translation>
+    </message>
+    <message>
         <source>shorter than a tenth of the size, and the mesh edges with them: {}</source>
         <translation>Kürzer als ein Zehntel der Größe, und die Netzkanten mit ihnen: {}</translation>
     </message>
@@ -832,20 +1344,104 @@
         <translation>Kürzer als ein Zehntel der Größe, und die Netzkanten mit ihnen: {} und {} weitere</translation>
     </message>
     <message>
+        <source>size and segments of an edge exclude each other</source>
+        <translation>Elementgröße und Zahl der Abschnitte einer Kante schließen einander aus</translation>
+    </message>
+    <message>
         <source>the fronts have met</source>
         <translation>die Fronten sind zusammengetroffen</translation>
+    </message>
+    <message>
+        <source>the job file is nested too deeply</source>
+        <translation>die Auftragsdatei ist zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>the job file is no JSON: {} in line {}</source>
+        <translation>die Auftragsdatei ist kein JSON: {} in Zeile {}</translation>
+    </message>
+    <message>
+        <source>the job file is not UTF-8 text</source>
+        <translation>die Auftragsdatei ist kein UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>the job file must hold one JSON object</source>
+        <translation>die Auftragsdatei muss ein JSON-Objekt enthalten</translation>
+    </message>
+    <message>
+        <source>the layers beside have ended</source>
+        <translation>die Schichten daneben haben geendet</translation>
+    </message>
+    <message>
+        <source>the meshing core is not built for this FreeCAD (Python {}): run "./dev build" in {} and start FreeCAD again ({})</source>
+        <translation>Der Netzkern ist für dieses FreeCAD (Python {}) nicht gebaut: Rufen Sie "./dev build" in {} auf und starten Sie FreeCAD neu ({})</translation>
+    </message>
+    <message>
+        <source>the model has changed under the references: {}. Pick them again, or use Follow References or Accept References</source>
+        <translation>Das Modell hat sich unter den Referenzen geändert: {}. Wählen Sie neu, oder nutzen Sie „Referenzen nachführen“ oder „Referenzen annehmen“</translation>
+    </message>
+    <message>
+        <source>the shape holds no face</source>
+        <translation>die Form hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>the surface bends too sharply</source>
+        <translation>die Fläche biegt sich zu stark</translation>
+    </message>
+    <message>
+        <source>the text is no BREP shape</source>
+        <translation>der Text ist keine BREP-Form</translation>
+    </message>
+    <message>
+        <source>the text is no BREP shape: it lacks the line {}</source>
+        <translation>der Text ist keine BREP-Form: Ihm fehlt die Zeile {}</translation>
+    </message>
+    <message>
+        <source>the text is no BREP shape: line {}: {}</source>
+        <translation>der Text ist keine BREP-Form: Zeile {}: {}</translation>
     </message>
     <message>
         <source>the triangulation took {} of the {} nodes of the initial mesh; the others lie on edges or too near to their neighbours</source>
         <translation>Die Triangulierung hat {} der {} Knoten des Ausgangsnetzes übernommen; die anderen liegen auf Kanten oder zu nah an ihren Nachbarn</translation>
     </message>
     <message>
+        <source>there is no snapshot after result(): it gave the mesh</source>
+        <translation>nach result() gibt es keinen Zwischenstand mehr: es hat das Netz ergeben</translation>
+    </message>
+    <message>
+        <source>thickness needs a first height that is the same along the wall</source>
+        <translation>die Dicke braucht eine erste Höhe, die entlang der Wand gleich bleibt</translation>
+    </message>
+    <message>
+        <source>thickness would take {} layers</source>
+        <translation>für die Dicke wären {} Schichten nötig</translation>
+    </message>
+    <message>
+        <source>thickness {} mm is less than the first height {} mm</source>
+        <translation>die Dicke {} mm ist geringer als die erste Höhe {} mm</translation>
+    </message>
+    <message>
         <source>to</source>
         <translation>bis</translation>
     </message>
     <message>
+        <source>triangle {} (from 0) has node {}, but there are {}</source>
+        <translation>Dreieck {} (von 0 gezählt) hat den Knoten {}, es gibt aber nur {}</translation>
+    </message>
+    <message>
         <source>triangles</source>
         <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>without a unit</source>
+        <translation>ohne Einheit</translation>
+    </message>
+    <message>
+        <source>would overwrite {}: {}</source>
+        <translation>würde dies überschreiben: {}: {}</translation>
     </message>
     <message>
         <source>{edge} on {face} has no layer</source>
@@ -864,6 +1460,10 @@
         <translation>{label}: Schicht {layer}, {elements} Elemente, {seconds} s</translation>
     </message>
     <message>
+        <source>{label}: {quads} quads, {triangles} triangles, {percent:.1f} % quads, {good:.1f} % of angles in 45–135°, angles from {least:.1f}° to {largest:.1f}°</source>
+        <translation>{label}: {quads} Vierecke, {triangles} Dreiecke, {percent:.1f} % Vierecke, {good:.1f} % der Winkel in 45–135°, Winkel von {least:.1f}° bis {largest:.1f}°</translation>
+    </message>
+    <message>
         <source>{label}: {seconds} s</source>
         <translation>{label}: {seconds} s</translation>
     </message>
@@ -876,8 +1476,20 @@
         <translation>{stage} · {elements} Elemente · {percent:.1f} % Vierecke · {seconds:.1f} s</translation>
     </message>
     <message>
+        <source>{} (internal error: please report it with the model)</source>
+        <translation>{} (interner Fehler: bitte mit dem Modell melden)</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
         <source>{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
         <translation>{} und {} weitere: erste Höhen von {} bis {} mm; verlangt waren im Mittel {} mm, Abweichung bis zu {} %</translation>
+    </message>
+    <message>
+        <source>{} belongs to no layer mesh of a shape</source>
+        <translation>{} gehört zu keinem Schichtnetz einer Form</translation>
     </message>
     <message>
         <source>{} bounds no meshed patch, and no layers grow from it; listed in boundary, it bounds its faces</source>
@@ -885,35 +1497,151 @@
     </message>
     <message>
         <source>{} came after the mesh and does not act on it: update the mesh.</source>
-        <translation>{} kam nach dem Netz und wirkt nicht darauf: aktualisieren Sie das Netz.</translation>
+        <translation>{} kam nach dem Netz und wirkt nicht darauf: Aktualisieren Sie das Netz.</translation>
+    </message>
+    <message>
+        <source>{} cannot be meshed: {}</source>
+        <translation>{} lässt sich nicht vernetzen: {}</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation>{} lässt sich nicht schreiben: {}</translation>
+    </message>
+    <message>
+        <source>{} does not close to a manifold mesh</source>
+        <translation>{} schließt sich nicht zu einem mannigfaltigen Netz</translation>
     </message>
     <message>
         <source>{} elements are turned over.</source>
-        <translation>{} Elemente sind umgeklappt.</translation>
+        <translation>{} Elemente sind invertiert.</translation>
     </message>
     <message>
         <source>{} elements of quality {:.2f} to {:.2f}</source>
-        <translation>{} Elemente mit Güte {:.2f} bis {:.2f}</translation>
+        <translation>{} Elemente mit Qualität {:.2f} bis {:.2f}</translation>
+    </message>
+    <message>
+        <source>{} faces meet there</source>
+        <translation>dort treffen sich {} Flächen</translation>
+    </message>
+    <message>
+        <source>{} has a slit there</source>
+        <translation>{} hat dort einen Schlitz</translation>
+    </message>
+    <message>
+        <source>{} has no (u, v) on {}</source>
+        <translation>{} hat kein (u, v) auf {}</translation>
     </message>
     <message>
         <source>{} has no boundary edge that layers could grow from</source>
         <translation>{} hat keine Randkante, aus der Schichten wachsen könnten</translation>
     </message>
     <message>
+        <source>{} has no curve</source>
+        <translation>{} hat keine Kurve</translation>
+    </message>
+    <message>
+        <source>{} has no curve in the face's (u, v)</source>
+        <translation>{} hat keine Kurve im (u, v) der Fläche</translation>
+    </message>
+    <message>
+        <source>{} has no face to mesh</source>
+        <translation>{} hat keine Fläche zum Vernetzen</translation>
+    </message>
+    <message>
+        <source>{} has no face to mesh: {}</source>
+        <translation>{} hat keine Fläche zum Vernetzen: {}</translation>
+    </message>
+    <message>
+        <source>{} has no mesh yet: mesh it first</source>
+        <translation>{} hat noch kein Netz: Vernetzen Sie zuerst</translation>
+    </message>
+    <message>
+        <source>{} has no object to mesh</source>
+        <translation>{} hat kein Objekt zum Vernetzen</translation>
+    </message>
+    <message>
+        <source>{} has no surface elements: mesh it first</source>
+        <translation>{} hat keine Flächenelemente: Vernetzen Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>{} is called {} now</source>
+        <translation>{} heißt jetzt {}</translation>
+    </message>
+    <message>
+        <source>{} is gone from the model</source>
+        <translation>{} ist aus dem Modell verschwunden</translation>
+    </message>
+    <message>
+        <source>{} is in both {} and {}</source>
+        <translation>{} steht sowohl unter {} als auch unter {}</translation>
+    </message>
+    <message>
+        <source>{} is neither name nor label of an object: {}</source>
+        <translation>{} ist weder Name noch Bezeichnung eines Objekts: {}</translation>
+    </message>
+    <message>
+        <source>{} is no mesh made with Gmsh</source>
+        <translation>{} ist kein mit Gmsh erzeugtes Netz</translation>
+    </message>
+    <message>
         <source>{} is no part of {}, which is meshed</source>
         <translation>{} ist kein Teil von {}, das vernetzt wird</translation>
+    </message>
+    <message>
+        <source>{} is not among the faces to mesh</source>
+        <translation>{} ist nicht unter den zu vernetzenden Flächen</translation>
+    </message>
+    <message>
+        <source>{} is not closed: {} sides of elements have no neighbour, one at ({}, {}, {})</source>
+        <translation>{} ist nicht geschlossen: {} Seiten von Elementen haben keinen Nachbarn, eine bei ({}, {}, {})</translation>
     </message>
     <message>
         <source>{} is not meshed: {}</source>
         <translation>{} wird nicht vernetzt: {}</translation>
     </message>
     <message>
+        <source>{} is not there any more</source>
+        <translation>{} gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>{} is not what was picked</source>
+        <translation>{} ist nicht das, was gewählt wurde</translation>
+    </message>
+    <message>
         <source>{} is on the list already</source>
         <translation>{} steht schon auf der Liste</translation>
     </message>
     <message>
+        <source>{} is the label of several objects: {}</source>
+        <translation>{} ist die Bezeichnung mehrerer Objekte: {}</translation>
+    </message>
+    <message>
+        <source>{} is too small: it would cut {} into {} segments</source>
+        <translation>{} zu klein: {} würde in {} Abschnitte geteilt</translation>
+    </message>
+    <message>
+        <source>{} is too small: {} mm asks for {} elements, and {} are the most</source>
+        <translation>{} zu klein: {} mm verlangen {} Elemente, höchstens {} sind möglich</translation>
+    </message>
+    <message>
+        <source>{} joins no two sides of {}</source>
+        <translation>{} verbindet keine zwei Seiten von {}</translation>
+    </message>
+    <message>
+        <source>{} layers</source>
+        <translation>{} Schichten</translation>
+    </message>
+    <message>
         <source>{} meets the wall {} at {} degrees on {}: layers end there instead of running along it</source>
         <translation>{} trifft die Wand {} unter {} Grad auf {}: Schichten enden dort, statt daran entlangzulaufen</translation>
+    </message>
+    <message>
+        <source>{} must be {}, got {}</source>
+        <translation>{}: verlangt ist {}, angegeben {}</translation>
+    </message>
+    <message>
+        <source>{} must be {}, got {} ({})</source>
+        <translation>{}: verlangt ist {}, angegeben {} ({})</translation>
     </message>
     <message>
         <source>{} nodes of the initial mesh lay off the shape, by up to {} mm, and were put onto it</source>
@@ -928,20 +1656,60 @@
         <translation>{} auf {} erhielt keine Schicht, deren Höhe sich messen ließe</translation>
     </message>
     <message>
-        <source>{} on {} got no layers{}</source>
-        <translation>{} auf {} erhielt keine Schichten{}</translation>
+        <source>{} on {} got no layers</source>
+        <translation>{} auf {} erhielt keine Schichten</translation>
     </message>
     <message>
-        <source>{} on {} got {} complete layers of {}{}</source>
-        <translation>{} auf {} erhielt {} vollständige Schichten von {}{}</translation>
+        <source>{} on {} got {} complete layers of {}</source>
+        <translation>{} auf {} erhielt {} vollständige Schichten von {}</translation>
     </message>
     <message>
         <source>{} on {} got {} of {} layers</source>
         <translation>{} auf {} erhielt {} von {} Schichten</translation>
     </message>
     <message>
+        <source>{} shape</source>
+        <translation>{} Form</translation>
+    </message>
+    <message>
+        <source>{} volume</source>
+        <translation>{} Volumen</translation>
+    </message>
+    <message>
+        <source>{} would cut {} into millions of segments</source>
+        <translation>{} würde {} in Millionen Abschnitte teilen</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>{}, {} and {} exclude each other</source>
+        <translation>{}, {} und {} schließen einander aus</translation>
+    </message>
+    <message>
+        <source>{}, {}, {} and {} are one too many: leave one out</source>
+        <translation>{}, {}, {} und {} sind eine Angabe zu viel: Lassen Sie eine weg</translation>
+    </message>
+    <message>
+        <source>{}: OpenCASCADE failed: {}{}</source>
+        <translation>{}: OpenCASCADE ist gescheitert: {}{}</translation>
+    </message>
+    <message>
+        <source>{}: an entry lists neither edge nor face</source>
+        <translation>{}: ein Eintrag nennt weder Kante noch Fläche</translation>
+    </message>
+    <message>
+        <source>{}: an entry lists no edge</source>
+        <translation>{}: ein Eintrag nennt keine Kante</translation>
+    </message>
+    <message>
         <source>{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
         <translation>{}: erste Höhen von {} bis {} mm; verlangt waren im Mittel {} mm, Abweichung bis zu {} %</translation>
+    </message>
+    <message>
+        <source>{}: its boundary does not enclose a region</source>
+        <translation>{}: Ihr Rand umschließt kein Gebiet</translation>
     </message>
     <message>
         <source>{}: its elements reach over edges inside the patch; lower feature_angle to part its faces</source>
@@ -956,8 +1724,56 @@
         <translation>{}: Ihre Teilung steht fest: Schichten laufen daran entlang, wo sie passen</translation>
     </message>
     <message>
+        <source>{}: mesh edges of {} and {} join the same two nodes; they are too long</source>
+        <translation>{}: Netzkanten von {} und {} verbinden dieselben zwei Knoten; sie sind zu lang</translation>
+    </message>
+    <message>
+        <source>{}: mesh edges of {} cross or touch each other</source>
+        <translation>{}: Netzkanten von {} schneiden oder berühren sich</translation>
+    </message>
+    <message>
+        <source>{}: mesh edges of {} leave boundary on the wrong side</source>
+        <translation>{}: Netzkanten von {} lassen den Rand auf der falschen Seite</translation>
+    </message>
+    <message>
+        <source>{}: no shape could be read, it is no {} file or holds none</source>
+        <translation>{}: es ließ sich keine Form lesen, es ist keine {}-Datei oder enthält keine</translation>
+    </message>
+    <message>
+        <source>{}: point must be finite</source>
+        <translation>{}: der Punkt muss endlich sein</translation>
+    </message>
+    <message>
+        <source>{}: the IGES file is cut off, or is none</source>
+        <translation>{}: die IGES-Datei ist abgeschnitten, oder keine</translation>
+    </message>
+    <message>
+        <source>{}: the IGES file is damaged: OpenCASCADE's reader crashes on it</source>
+        <translation>{}: die IGES-Datei ist beschädigt: OpenCASCADE stürzt beim Lesen ab</translation>
+    </message>
+    <message>
+        <source>{}: the STEP file is damaged: {} {}: {}</source>
+        <translation>{}: die STEP-Datei ist beschädigt: {} {}: {}</translation>
+    </message>
+    <message>
+        <source>{}: the ending is none of {}</source>
+        <translation>{}: die Endung ist keine von {}</translation>
+    </message>
+    <message>
+        <source>{}: the file cannot be opened</source>
+        <translation>{}: die Datei lässt sich nicht öffnen</translation>
+    </message>
+    <message>
         <source>{}: the layers of the faces beside it would cut it differently; its nodes follow the mean, and leave the heights asked for by up to {} %</source>
         <translation>{}: Die Schichten der Flächen daneben würden sie verschieden teilen; ihre Knoten folgen dem Mittel und weichen um bis zu {} % von den verlangten Höhen ab</translation>
+    </message>
+    <message>
+        <source>{}: there is no {}, edges of the model: {}</source>
+        <translation>{}: {} gibt es nicht, Kanten des Modells: {}</translation>
+    </message>
+    <message>
+        <source>{}: there is no {}, faces of the model: {}</source>
+        <translation>{}: {} gibt es nicht, Flächen des Modells: {}</translation>
     </message>
     <message>
         <source>{}: triangles more than 30 degrees off the surface: {}; the worst leans by {} degrees</source>
@@ -965,22 +1781,50 @@
     </message>
     <message>
         <source>{}: triangles turned over against the surface: {}; the worst leans by {} degrees</source>
-        <translation>{}: gegen die Fläche umgeklappte Dreiecke: {}; das schlimmste neigt sich um {} Grad</translation>
+        <translation>{}: gegen die Fläche invertierte Dreiecke: {}; das schlimmste neigt sich um {} Grad</translation>
     </message>
     <message>
         <source>{}: {} elements are turned over against the surface</source>
-        <translation>{}: {} Elemente sind gegen die Fläche umgeklappt</translation>
+        <translation>{}: {} Elemente sind gegen die Fläche invertiert</translation>
     </message>
     <message>
         <source>{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces</source>
         <translation>{}: {} Elemente reichen über Kanten im Inneren der Teilfläche; ein kleinerer Kantenwinkel trennt die Flächen</translation>
+    </message>
+    <message>
+        <source>{}: {} is a pole without length</source>
+        <translation>{}: {} ist ein Pol ohne Länge</translation>
+    </message>
+    <message>
+        <source>{}: {} is a pole without length, nothing grows there</source>
+        <translation>{}: {} ist ein Pol ohne Länge, dort wächst nichts</translation>
+    </message>
+    <message>
+        <source>{}: {} is listed twice</source>
+        <translation>{}: {} ist doppelt genannt</translation>
+    </message>
+    <message>
+        <source>{}: {} must bound its patch: {}</source>
+        <translation>{}: {} muss ihre Teilfläche begrenzen: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} needs an edge with two ends, {} is closed</source>
+        <translation>{}: {} braucht eine Kante mit zwei Enden, {} ist geschlossen</translation>
+    </message>
+    <message>
+        <source>{}: {} touches none of the edges it is listed for ({})</source>
+        <translation>{}: {} berührt keine der Kanten, für die sie genannt ist ({})</translation>
+    </message>
+    <message>
+        <source>{}; {} is the likest to it</source>
+        <translation>{}; am ähnlichsten ist ihm {}</translation>
     </message>
 </context>
 <context>
     <name>App::Property</name>
     <message>
         <source>An existing mesh of the shape to start from. Inside the faces its nodes are where the triangulation starts; where it is finer than size, edges and core become as fine. Its layers and its order do not come over.</source>
-        <translation>Ein vorhandenes Netz der Form, mit dem begonnen wird. Im Inneren der Flächen sind seine Knoten der Anfang der Triangulierung; wo es feiner ist als die Größe, werden Kanten und Kern ebenso fein. Seine Schichten und seine Ordnung werden nicht übernommen.</translation>
+        <translation>Ein vorhandenes Netz der Form, mit dem begonnen wird. Im Inneren der Flächen sind seine Knoten der Anfang der Triangulierung; wo es feiner ist als die Elementgröße, werden Kanten und Kern ebenso fein. Seine Schichten und seine Ordnung werden nicht übernommen.</translation>
     </message>
     <message>
         <source>Clusters towards both ends: the ratio is then that of the middle to the ends.</source>
@@ -999,6 +1843,10 @@
         <translation>Jede Schicht ist um diesen Faktor höher als die vorige.</translation>
     </message>
     <message>
+        <source>Each layer of this wall is this much higher than the one before it.</source>
+        <translation>Jede Schicht dieser Wand ist um diesen Faktor höher als die vorige.</translation>
+    </message>
+    <message>
         <source>Each layer of this wall is this much higher than the one before it. 0: not given.</source>
         <translation>Jede Schicht dieser Wand ist um diesen Faktor höher als die vorige. 0: nicht angegeben.</translation>
     </message>
@@ -1007,12 +1855,16 @@
         <translation>Kantenlänge des Netzes abseits der Schichten. Vorgabe: 1/40 der Diagonale des Hüllquaders der Form.</translation>
     </message>
     <message>
+        <source>Edge length of the mesh.</source>
+        <translation>Kantenlänge des Netzes.</translation>
+    </message>
+    <message>
         <source>Edge length of the mesh. 0: not given.</source>
         <translation>Kantenlänge des Netzes. 0: nicht angegeben.</translation>
     </message>
     <message>
         <source>Elements turned over against the surface.</source>
-        <translation>Gegen die Oberfläche umgeklappte Elemente.</translation>
+        <translation>Gegen die Oberfläche invertierte Elemente.</translation>
     </message>
     <message>
         <source>Faces that meet at an angle below this are meshed as one patch; layers run across the edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed with 20.</source>
@@ -1023,12 +1875,20 @@
         <translation>Flächen, deren Kanten nicht weiter als dies voneinander liegen, werden dort vor dem Vernetzen verbunden; 0 verbindet keine. Flächen und Kanten behalten ihre Namen.</translation>
     </message>
     <message>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first.</source>
+        <translation>Höhe aller Schichten zusammen. Mit zweien von erster Höhe, Wachstumsfaktor und Schichtzahl ergibt sie das dritte; sind weniger angegeben, gelten die des ganzen Netzes, und die Schichtzahl wird zuerst berechnet.</translation>
+    </message>
+    <message>
         <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>
-        <translation>Höhe aller Schichten zusammen. Mit zweien von first_height, growth und layers ergibt sie das dritte; sind weniger angegeben, treten die des Auftrags ein, und layers wird zuerst berechnet. 0: nicht angegeben.</translation>
+        <translation>Höhe aller Schichten zusammen. Mit zweien von erster Höhe, Wachstumsfaktor und Schichtzahl ergibt sie das dritte; sind weniger angegeben, gelten die des ganzen Netzes, und die Schichtzahl wird zuerst berechnet. 0: nicht angegeben.</translation>
     </message>
     <message>
         <source>Height of the first layer, measured along the surface. Default: 1/10 of size.</source>
         <translation>Höhe der ersten Schicht, entlang der Oberfläche gemessen. Vorgabe: 1/10 der Elementgröße.</translation>
+    </message>
+    <message>
+        <source>Height of this wall's first layer.</source>
+        <translation>Höhe der ersten Schicht dieser Wand.</translation>
     </message>
     <message>
         <source>Height of this wall's first layer. 0: not given.</source>
@@ -1039,12 +1899,20 @@
         <translation>Wie weit die Höhe jedes Elements einer Schicht von der verlangten abweicht, bezogen auf diese; NaN für den Kern.</translation>
     </message>
     <message>
+        <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight.</source>
+        <translation>Statt der ersten Höhe: der Winkel, um den sich die Wand über die Länge einer ersten Höhe dreht; wo die Wand gerade ist, ist die Höhe die Elementgröße.</translation>
+    </message>
+    <message>
         <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight. 0: not given.</source>
-        <translation>Statt first_height: der Winkel, um den sich die Wand über die Länge einer ersten Höhe dreht; wo die Wand gerade ist, ist die Höhe die Elementgröße. 0: nicht angegeben.</translation>
+        <translation>Statt der ersten Höhe: der Winkel, um den sich die Wand über die Länge einer ersten Höhe dreht; wo die Wand gerade ist, ist die Höhe die Elementgröße. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Instead of first_height: the length of the mesh edges along the wall over the first height, everywhere.</source>
+        <translation>Statt der ersten Höhe: das Verhältnis der Netzkantenlänge entlang der Wand zur ersten Höhe, überall.</translation>
     </message>
     <message>
         <source>Instead of first_height: the length of the mesh edges along the wall over the first height, everywhere. 0: not given.</source>
-        <translation>Statt first_height: die Länge der Netzkanten entlang der Wand durch die erste Höhe, überall. 0: nicht angegeben.</translation>
+        <translation>Statt der ersten Höhe: das Verhältnis der Netzkantenlänge entlang der Wand zur ersten Höhe, überall. 0: nicht angegeben.</translation>
     </message>
     <message>
         <source>Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise.</source>
@@ -1063,8 +1931,16 @@
         <translation>Zahl der Schichten; bei 0 wachsen sie, bis die Fronten sich schließen; bei "isotropic", bis ihre Höhe den Abstand entlang der Wand erreicht.</translation>
     </message>
     <message>
+        <source>Number of mesh edges along each of the edges.</source>
+        <translation>Zahl der Netzkanten entlang jeder der Kanten.</translation>
+    </message>
+    <message>
         <source>Number of mesh edges along each of the edges. 0: not given.</source>
         <translation>Zahl der Netzkanten entlang jeder der Kanten. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Number of this wall's layers; 0 grows them until the fronts close.</source>
+        <translation>Zahl der Schichten dieser Wand; bei 0 wachsen sie, bis die Fronten sich schließen.</translation>
     </message>
     <message>
         <source>Number of this wall's layers; 0 grows them until the fronts close. -1: not given.</source>
@@ -1085,6 +1961,10 @@
     <message>
         <source>Quads of the mesh.</source>
         <translation>Vierecke des Netzes.</translation>
+    </message>
+    <message>
+        <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps.</source>
+        <translation>Verhältnis der letzten Netzkante entlang einer CAD-Kante zur ersten, in geometrischen Schritten.</translation>
     </message>
     <message>
         <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps. 0: not given.</source>
@@ -1111,8 +1991,12 @@
         <translation>Die Flächen, Kanten und Eckpunkte, für die die Elementgröße gilt.</translation>
     </message>
     <message>
+        <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex.</source>
+        <translation>Die erste Höhe am Ende jeder Kante; sie ändert sich linear entlang der Kante, ausgehend von der ersten Höhe am ersten Eckpunkt.</translation>
+    </message>
+    <message>
         <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex. 0: not given.</source>
-        <translation>Die erste Höhe am Ende jeder Kante; sie ändert sich linear entlang der Kante, ausgehend von first_height am ersten Eckpunkt. 0: nicht angegeben.</translation>
+        <translation>Die erste Höhe am Ende jeder Kante; sie ändert sich linear entlang der Kante, ausgehend von der ersten Höhe am ersten Eckpunkt. 0: nicht angegeben.</translation>
     </message>
     <message>
         <source>The group's name in the mesh; the label, unless another is given here.</source>
@@ -1132,7 +2016,7 @@
     </message>
     <message>
         <source>The most that neighbouring mesh edges differ in length where the size changes, through the surface and along edges.</source>
-        <translation>Der Faktor, um den sich benachbarte Netzkanten höchstens in der Länge unterscheiden, wo die Größe wechselt, in der Fläche und entlang von Kanten.</translation>
+        <translation>Der Faktor, um den sich benachbarte Netzkanten höchstens in der Länge unterscheiden, wo die Elementgröße wechselt, in der Fläche und entlang von Kanten.</translation>
     </message>
     <message>
         <source>The most that one element edge may turn along a curved edge or face; finer than size where the shape is curved.</source>
@@ -1156,7 +2040,7 @@
     </message>
     <message>
         <source>The report of the mesh, as a job writes it.</source>
-        <translation>Der Bericht über das Netz, wie ein Auftrag ihn schreibt.</translation>
+        <translation>Der Bericht über das Netz, wie ein Stapelauftrag ihn schreibt.</translation>
     </message>
     <message>
         <source>The settings that the mesh was made with.</source>
@@ -1188,7 +2072,7 @@
     </message>
     <message>
         <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>
-        <translation>Wall: Schichten wachsen von den Kanten. Match: Schichten anderer Wände laufen an ihnen entlang. Off: keins von beidem. Boundary: sie begrenzen ihre Flächen, wie glatt diese auch aneinander stoßen. Smooth: Schichten laufen über sie hinweg.</translation>
+        <translation>Wand (Wall): Schichten wachsen von den Kanten. Entlang (Match): Schichten anderer Wände laufen an ihnen entlang. Aus (Off): keins von beidem. Rand (Boundary): sie begrenzen ihre Flächen, wie glatt diese auch aneinander stoßen. Glatt (Smooth): Schichten laufen über sie hinweg.</translation>
     </message>
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>

@@ -258,7 +258,7 @@
     <name>AdvLayers_TakeOver</name>
     <message>
         <source>Makes a layer mesh with the sizes, boundary layers, regions and groups of the selected Gmsh mesh, and puts it in its place in the analysis</source>
-        <translation>Fait un maillage en couches avec les tailles, couches limites, régions et groupes du maillage Gmsh sélectionné, et le met à sa place dans l'analyse</translation>
+        <translation>Crée un maillage en couches avec les tailles, couches limites, régions et groupes du maillage Gmsh sélectionné, et le met à sa place dans l'analyse</translation>
     </message>
     <message>
         <source>Take over from Gmsh Mesh</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Makes a Mesh object of the layer mesh, each quad as two triangles</source>
-        <translation>Fait du maillage en couches un objet Mesh, chaque quadrangle en deux triangles</translation>
+        <translation>Fait du maillage en couches un objet Mesh, de chaque quadrangle deux triangles</translation>
     </message>
 </context>
 <context>
@@ -291,7 +291,7 @@
     <name>AdvLayers_Update</name>
     <message>
         <source>Meshes the selected layer meshes again, or all of the document that are out of date</source>
-        <translation>Remaille les maillages en couches sélectionnés, ou tous ceux du document qui sont périmés</translation>
+        <translation>Remaille les maillages en couches sélectionnés, ou tous ceux du document qui sont obsolètes</translation>
     </message>
     <message>
         <source>Update Mesh</source>
@@ -312,6 +312,14 @@
 <context>
     <name>AdvancingLayers</name>
     <message>
+        <source>&gt; 1 and &lt;= 3</source>
+        <translation>&gt; 1 et &lt;= 3</translation>
+    </message>
+    <message>
+        <source>&gt; {} mm, {} of the shape's diagonal</source>
+        <translation>&gt; {} mm, {} de la diagonale de la forme</translation>
+    </message>
+    <message>
         <source>A click shows the place</source>
         <translation>Un clic montre l'endroit</translation>
     </message>
@@ -322,6 +330,10 @@
     <message>
         <source>A size of their own for the selected faces, edges and vertices</source>
         <translation>Une taille propre aux faces, arêtes et sommets sélectionnés</translation>
+    </message>
+    <message>
+        <source>Abaqus</source>
+        <translation>Abaqus</translation>
     </message>
     <message>
         <source>Adds what is selected in the 3D view</source>
@@ -346,6 +358,10 @@
     <message>
         <source>Boundary</source>
         <translation>Bord</translation>
+    </message>
+    <message>
+        <source>Close the open task panel first.</source>
+        <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
     </message>
     <message>
         <source>Cluster</source>
@@ -376,8 +392,20 @@
         <translation>Arête</translation>
     </message>
     <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
         <source>Edit</source>
         <translation>Modifier</translation>
+    </message>
+    <message>
+        <source>Edit Layer Mesh</source>
+        <translation>Modifier le maillage en couches</translation>
+    </message>
+    <message>
+        <source>Edit Wall, Size or Group</source>
+        <translation>Modifier la paroi, la taille ou le groupe</translation>
     </message>
     <message>
         <source>End height</source>
@@ -412,6 +440,10 @@
         <translation>Angle d'arête vive</translation>
     </message>
     <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
         <source>Finishing the core</source>
         <translation>Achèvement du cœur</translation>
     </message>
@@ -420,8 +452,36 @@
         <translation>Première hauteur</translation>
     </message>
     <message>
+        <source>FreeCAD document</source>
+        <translation>Document FreeCAD</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Gmsh</source>
+        <translation>Gmsh</translation>
+    </message>
+    <message>
+        <source>Gmsh cannot fill the mesh: it moved the nodes of the surface</source>
+        <translation>Gmsh ne peut pas remplir le maillage : il a déplacé les nœuds de la surface</translation>
+    </message>
+    <message>
+        <source>Gmsh cannot fill the mesh: {}</source>
+        <translation>Gmsh ne peut pas remplir le maillage : {}</translation>
+    </message>
+    <message>
+        <source>Gmsh is not installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
+        <translation>Gmsh n'est pas installé : installez le paquet gmsh, ou indiquez à FreeCAD où il se trouve sous Édition &gt; Préférences &gt; FEM &gt; Gmsh</translation>
+    </message>
+    <message>
         <source>Group</source>
         <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
     </message>
     <message>
         <source>Growth</source>
@@ -440,16 +500,24 @@
         <translation>Hauteur obtenue</translation>
     </message>
     <message>
+        <source>I-DEAS universal</source>
+        <translation>I-DEAS universel</translation>
+    </message>
+    <message>
         <source>Initial mesh</source>
         <translation>Maillage initial</translation>
     </message>
     <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
         <source>Inverted</source>
-        <translation>Retournés</translation>
+        <translation>Inversés</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation>Genre</translation>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Layer</source>
@@ -492,12 +560,20 @@
         <translation>Suivre</translation>
     </message>
     <message>
+        <source>Medit</source>
+        <translation>Medit</translation>
+    </message>
+    <message>
         <source>Mesh</source>
         <translation>Mailler</translation>
     </message>
     <message>
         <source>Name</source>
         <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Nastran</source>
+        <translation>Nastran</translation>
     </message>
     <message>
         <source>No layers at the selected edges</source>
@@ -516,6 +592,10 @@
         <translation>Nombre</translation>
     </message>
     <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Sans</translation>
     </message>
@@ -524,12 +604,28 @@
         <translation>Sur</translation>
     </message>
     <message>
+        <source>OpenCASCADE failed on it: {}</source>
+        <translation>OpenCASCADE y a échoué : {}</translation>
+    </message>
+    <message>
         <source>Out of date</source>
-        <translation>Périmé</translation>
+        <translation>Obsolète</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Sorties</translation>
+    </message>
+    <message>
+        <source>Part of {} is empty: there is nothing to mesh</source>
+        <translation>Part de {} est vide : il n'y a rien à mailler</translation>
     </message>
     <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Partie {patch} sur {patches} · couche {layer}</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
     </message>
     <message>
         <source>Preview: {}</source>
@@ -548,6 +644,10 @@
         <translation>Rayon</translation>
     </message>
     <message>
+        <source>References</source>
+        <translation>Références</translation>
+    </message>
+    <message>
         <source>Refinements</source>
         <translation>Raffinements</translation>
     </message>
@@ -560,8 +660,16 @@
         <translation>Retire la ligne marquée</translation>
     </message>
     <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
         <source>Results</source>
         <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Salome MED</source>
+        <translation>Salome MED</translation>
     </message>
     <message>
         <source>Segments</source>
@@ -628,8 +736,16 @@
         <translation>Progression</translation>
     </message>
     <message>
+        <source>Sizes</source>
+        <translation>Tailles</translation>
+    </message>
+    <message>
         <source>Smooth</source>
         <translation>Lisse</translation>
+    </message>
+    <message>
+        <source>Stanford polygons</source>
+        <translation>Polygones Stanford</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -644,6 +760,10 @@
         <translation>Arrêt en cours…</translation>
     </message>
     <message>
+        <source>Strict</source>
+        <translation>Strict</translation>
+    </message>
+    <message>
         <source>Takes the marked rows off the list</source>
         <translation>Retire de la liste les lignes marquées</translation>
     </message>
@@ -653,7 +773,7 @@
     </message>
     <message>
         <source>The mesh is out of date: settings or model have changed.</source>
-        <translation>Le maillage est périmé : les réglages ou le modèle ont changé.</translation>
+        <translation>Le maillage est obsolète : les réglages ou le modèle ont changé.</translation>
     </message>
     <message>
         <source>The selected edges bound their faces, however smoothly these meet</source>
@@ -704,6 +824,14 @@
         <translation>Mise à jour automatique</translation>
     </message>
     <message>
+        <source>VTK legacy</source>
+        <translation>VTK (ancien)</translation>
+    </message>
+    <message>
+        <source>VTK unstructured grid</source>
+        <translation>VTK, grille non structurée</translation>
+    </message>
+    <message>
         <source>Values</source>
         <translation>Valeurs</translation>
     </message>
@@ -716,8 +844,20 @@
         <translation>Parois</translation>
     </message>
     <message>
+        <source>Wavefront</source>
+        <translation>Wavefront</translation>
+    </message>
+    <message>
+        <source>a document object is needed to mesh, got {}</source>
+        <translation>il faut un objet de document à mailler, et non {}</translation>
+    </message>
+    <message>
         <source>a face</source>
         <translation>une face</translation>
+    </message>
+    <message>
+        <source>a face needs a size</source>
+        <translation>une face a besoin d'une taille</translation>
     </message>
     <message>
         <source>all faces</source>
@@ -736,12 +876,48 @@
         <translation>une arête</translation>
     </message>
     <message>
+        <source>an entry needs a size, segments or cluster</source>
+        <translation>une entrée a besoin d'une taille, d'un nombre de segments ou d'un resserrement</translation>
+    </message>
+    <message>
         <source>another front is too near</source>
         <translation>un autre front est trop proche</translation>
     </message>
     <message>
         <source>as high as wide</source>
         <translation>aussi haut que large</translation>
+    </message>
+    <message>
+        <source>both_ends needs a cluster</source>
+        <translation>Deux bouts a besoin d'un resserrement</translation>
+    </message>
+    <message>
+        <source>cannot be overwritten: {}</source>
+        <translation>ne peut pas être écrasé : {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}</source>
+        <translation>ne peut pas être lu : {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}: {}</source>
+        <translation>ne peut pas être lu : {} : {}</translation>
+    </message>
+    <message>
+        <source>cannot be used: {}: {}</source>
+        <translation>n'est pas utilisable : {} : {}</translation>
+    </message>
+    <message>
+        <source>cannot be written: {}</source>
+        <translation>ne peut pas être écrit : {}</translation>
+    </message>
+    <message>
+        <source>cannot read the job file: {}</source>
+        <translation>le fichier de tâche ne peut pas être lu : {}</translation>
+    </message>
+    <message>
+        <source>does not exist: {}</source>
+        <translation>n'existe pas : {}</translation>
     </message>
     <message>
         <source>element {number} {where}: angles from {least:.1f}° to {largest:.1f}°</source>
@@ -752,8 +928,64 @@
         <translation>élément {} : qualité {:.2f}</translation>
     </message>
     <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
         <source>first height {} (blue)</source>
         <translation>première hauteur {} (bleu)</translation>
+    </message>
+    <message>
+        <source>from 1 to 1000000</source>
+        <translation>de 1 à 1000000</translation>
+    </message>
+    <message>
+        <source>from 1e-6 to 1e6</source>
+        <translation>de 1e-6 à 1e6</translation>
+    </message>
+    <message>
+        <source>has no surface elements: {}</source>
+        <translation>n'a pas d'éléments de surface : {}</translation>
+    </message>
+    <message>
+        <source>has the unknown format {} (known: {}): {}</source>
+        <translation>est d'un format inconnu, {} (connus : {}) : {}</translation>
+    </message>
+    <message>
+        <source>has the unknown format {} ({}): {}</source>
+        <translation>est d'un format inconnu, {} ({}) : {}</translation>
+    </message>
+    <message>
+        <source>holds more than five numbers: {}</source>
+        <translation>plus de cinq nombres : {}</translation>
+    </message>
+    <message>
+        <source>holds no face to mesh: {}</source>
+        <translation>aucune face à mailler : {}</translation>
+    </message>
+    <message>
+        <source>holds the name {}, which cannot be written</source>
+        <translation>le nom {} ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>holds {}, which is no face, edge or vertex</source>
+        <translation>{} n'est ni une face, ni une arête, ni un sommet</translation>
+    </message>
+    <message>
+        <source>holds {}, which is no name like {}</source>
+        <translation>{} n'est pas un nom comme {}</translation>
+    </message>
+    <message>
+        <source>in (0, 1e8]</source>
+        <translation>dans ]0, 1e8]</translation>
+    </message>
+    <message>
+        <source>in (0, 90] degrees</source>
+        <translation>dans ]0, 90] degrés</translation>
+    </message>
+    <message>
+        <source>in [0, 180) degrees</source>
+        <translation>dans [0, 180[ degrés</translation>
     </message>
     <message>
         <source>in layer {}</source>
@@ -768,8 +1000,108 @@
         <translation>dans le cœur</translation>
     </message>
     <message>
+        <source>in {}</source>
+        <translation>en {}</translation>
+    </message>
+    <message>
+        <source>is a folder: {}</source>
+        <translation>est un dossier : {}</translation>
+    </message>
+    <message>
+        <source>is a name that the mesh itself gives to a group</source>
+        <translation>ce nom est donné par le maillage lui-même à un groupe</translation>
+    </message>
+    <message>
+        <source>is for FCStd files only, got {}</source>
+        <translation>pour les fichiers FCStd seulement, donné : {}</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>est donné deux fois</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>is no file: {}</source>
+        <translation>n'est pas un fichier : {}</translation>
+    </message>
+    <message>
+        <source>is no known key</source>
+        <translation>n'est pas une clé connue</translation>
+    </message>
+    <message>
+        <source>is no known key (did you mean {}?)</source>
+        <translation>n'est pas une clé connue (vouliez-vous dire {} ?)</translation>
+    </message>
+    <message>
+        <source>it bounds no face</source>
+        <translation>elle ne borde aucune face</translation>
+    </message>
+    <message>
+        <source>it bounds {} alone</source>
+        <translation>elle ne borde que {}</translation>
+    </message>
+    <message>
+        <source>it has no area</source>
+        <translation>elle n'a pas d'aire</translation>
+    </message>
+    <message>
+        <source>it has no boundary wire</source>
+        <translation>elle n'a pas de contour</translation>
+    </message>
+    <message>
+        <source>it has no element about {} on {}: it is a mesh of another shape, or not whole</source>
+        <translation>il n'a pas d'élément près de {} sur {} : c'est le maillage d'une autre forme, ou il est incomplet</translation>
+    </message>
+    <message>
+        <source>it has no finite bounds</source>
+        <translation>elle n'est pas bornée</translation>
+    </message>
+    <message>
+        <source>it has no surface</source>
+        <translation>elle n'a pas de surface</translation>
+    </message>
+    <message>
+        <source>it has no surface elements</source>
+        <translation>il n'a pas d'éléments de surface</translation>
+    </message>
+    <message>
+        <source>it is a pole without length</source>
+        <translation>c'est un pôle sans longueur</translation>
+    </message>
+    <message>
+        <source>its boundary is open after {}</source>
+        <translation>son contour est ouvert après {}</translation>
+    </message>
+    <message>
+        <source>its boundary runs around the closed surface without a seam, at {}</source>
+        <translation>son contour fait le tour de la surface fermée sans couture, à {}</translation>
+    </message>
+    <message>
+        <source>its faces meet at {} degrees, and {} is the most that layers run over</source>
+        <translation>ses faces se rencontrent à {} degrés ; les couches en franchissent {} au plus</translation>
+    </message>
+    <message>
+        <source>its faces use it more than twice</source>
+        <translation>ses faces l'emploient plus de deux fois</translation>
+    </message>
+    <message>
         <source>joined with its neighbour</source>
         <translation>fusionné avec son voisin</translation>
+    </message>
+    <message>
+        <source>layers 0 grows until the fronts close, which leaves no choice of thickness</source>
+        <translation>0 couche veut dire : jusqu'à la fermeture des fronts ; l'épaisseur ne peut alors être choisie</translation>
+    </message>
+    <message>
+        <source>lies in a folder that cannot be written to: {}</source>
+        <translation>on ne peut rien écrire dans ce dossier : {}</translation>
+    </message>
+    <message>
+        <source>lies in a folder that does not exist: {}</source>
+        <translation>ce dossier n'existe pas : {}</translation>
     </message>
     <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
@@ -780,6 +1112,122 @@
         <translation>Maillées à part, car leur courbure est trop forte pour des couches de cette taille : {}</translation>
     </message>
     <message>
+        <source>must be "all" or a list of walls, got {}</source>
+        <translation>attendu "all" ou une liste de parois, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a finite number, got {}</source>
+        <translation>attendu un nombre fini, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a list of files, got {}</source>
+        <translation>attendu une liste de fichiers, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a list of names like {}, got {}</source>
+        <translation>attendu une liste de noms comme {}, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a list, got {}</source>
+        <translation>attendu une liste, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a mesh object, got {}</source>
+        <translation>attendu un objet maillage, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a number {}, got {}</source>
+        <translation>attendu un nombre {}, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a number, got {}</source>
+        <translation>attendu un nombre, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a text, got {}</source>
+        <translation>attendu un texte, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a whole number or "isotropic", got {}</source>
+        <translation>attendu un nombre entier ou "isotropic", donné {}</translation>
+    </message>
+    <message>
+        <source>must be a whole number, got {}</source>
+        <translation>attendu un nombre entier, donné {}</translation>
+    </message>
+    <message>
+        <source>must be an object of names and lists, got {}</source>
+        <translation>attendu un objet de noms et de listes, donné {}</translation>
+    </message>
+    <message>
+        <source>must be an object, got {}</source>
+        <translation>attendu un objet, donné {}</translation>
+    </message>
+    <message>
+        <source>must be at most 1000000, got {}</source>
+        <translation>au plus 1000000, donné {}</translation>
+    </message>
+    <message>
+        <source>must be in the same document as the shape, got {}</source>
+        <translation>doit être dans le même document que la forme, donné {}</translation>
+    </message>
+    <message>
+        <source>must be one of {}, got {}</source>
+        <translation>attendu l'un de {}, donné {}</translation>
+    </message>
+    <message>
+        <source>must be three numbers, got {}</source>
+        <translation>attendu trois nombres, donné {}</translation>
+    </message>
+    <message>
+        <source>must be true or false, got {}</source>
+        <translation>attendu vrai ou faux, donné {}</translation>
+    </message>
+    <message>
+        <source>must be {}, got {}</source>
+        <translation>attendu {}, donné {}</translation>
+    </message>
+    <message>
+        <source>must hold texts like "x y z size radius", got {}</source>
+        <translation>attendu des textes comme « x y z taille rayon », donné {}</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>ne doit pas être vide</translation>
+    </message>
+    <message>
+        <source>names all of {}: pick its faces or edges</source>
+        <translation>{} est nommé en entier : choisissez-en des faces ou des arêtes</translation>
+    </message>
+    <message>
+        <source>names no file, and there is no report: nothing to do</source>
+        <translation>aucun fichier nommé, ni rapport : rien à faire</translation>
+    </message>
+    <message>
+        <source>names {} of {}, which is no part of {}</source>
+        <translation>{} de {} est nommé, qui n'est pas une partie de {}</translation>
+    </message>
+    <message>
+        <source>names {} twice</source>
+        <translation>{} est nommé deux fois</translation>
+    </message>
+    <message>
+        <source>names {}, but the shape has {} of that kind</source>
+        <translation>{} est nommé, mais la forme n'en a que {}</translation>
+    </message>
+    <message>
+        <source>names {}, but {} has {} edges</source>
+        <translation>{} est nommé, mais {} a {} arêtes</translation>
+    </message>
+    <message>
+        <source>names {}, but {} has {} faces</source>
+        <translation>{} est nommé, mais {} a {} faces</translation>
+    </message>
+    <message>
+        <source>names {}, which is not in faces</source>
+        <translation>{} est nommé, mais n'est pas parmi les faces à mailler</translation>
+    </message>
+    <message>
         <source>narrower than a tenth of the size, and their elements with them: {}</source>
         <translation>Plus étroites que le dixième de la taille, et leurs éléments avec elles : {}</translation>
     </message>
@@ -788,12 +1236,60 @@
         <translation>Plus étroites que le dixième de la taille, et leurs éléments avec elles : {} et {} autres</translation>
     </message>
     <message>
+        <source>needs FreeCAD to be read: run the job with freecadcmd: {}</source>
+        <translation>a besoin de FreeCAD pour être lu : lancez la tâche avec freecadcmd : {}</translation>
+    </message>
+    <message>
+        <source>needs FreeCAD to be written: run the job with freecadcmd: {}</source>
+        <translation>a besoin de FreeCAD pour être écrit : lancez la tâche avec freecadcmd : {}</translation>
+    </message>
+    <message>
+        <source>needs the Python package meshio (python3-meshio): {}</source>
+        <translation>a besoin du paquet Python meshio (python3-meshio) : {}</translation>
+    </message>
+    <message>
+        <source>no growth from 1 to 10 makes {} layers from {} mm {} mm thick</source>
+        <translation>aucune croissance de 1 à 10 ne donne à {} couches partant de {} mm une épaisseur de {} mm</translation>
+    </message>
+    <message>
+        <source>no tetrahedron came out, exit status {}</source>
+        <translation>aucun tétraèdre n'en est sorti, code de retour {}</translation>
+    </message>
+    <message>
         <source>no valid element fits</source>
         <translation>aucun élément valide ne convient</translation>
     </message>
     <message>
+        <source>node {} (from 0) at {} lies {} mm off the shape; the most is {} mm, a quarter of the mesh's edge length there</source>
+        <translation>le nœud {} (compté à partir de 0) en {} est à {} mm de la forme ; {} mm au plus sont permis, le quart de la longueur d'arête du maillage à cet endroit</translation>
+    </message>
+    <message>
+        <source>node {} (from 0) has the coordinates {}</source>
+        <translation>le nœud {} (compté à partir de 0) a les coordonnées {}</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>aucun</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>remarque</translation>
+    </message>
+    <message>
+        <source>of a new {} must not be empty</source>
+        <translation>rien n'est choisi pour le nouvel objet ({})</translation>
+    </message>
+    <message>
+        <source>of a {} cannot hold {}</source>
+        <translation>impossible pour un tel objet ({}) : {}</translation>
+    </message>
+    <message>
+        <source>of {} are missing: pick faces or edges</source>
+        <translation>rien n'est choisi pour {} : choisissez des faces ou des arêtes</translation>
+    </message>
+    <message>
+        <source>of {} is needed about {}</source>
+        <translation>manque à {} pour les environs de {}</translation>
     </message>
     <message>
         <source>pick a face or an edge of {}</source>
@@ -804,8 +1300,20 @@
         <translation>choisissez une face, une arête ou un sommet de {}</translation>
     </message>
     <message>
+        <source>point {} of a triangulation is not finite</source>
+        <translation>le point {} d'une triangulation n'est pas fini</translation>
+    </message>
+    <message>
         <source>quads</source>
         <translation>quadrangles</translation>
+    </message>
+    <message>
+        <source>result() was called already; keep what it gave</source>
+        <translation>result() a déjà été appelé ; gardez ce qu'il a donné</translation>
+    </message>
+    <message>
+        <source>segments and cluster are of edges, and the entry lists none</source>
+        <translation>segments et resserrement valent pour des arêtes, et aucune n'est choisie</translation>
     </message>
     <message>
         <source>select faces or edges in the 3D view first</source>
@@ -824,6 +1332,10 @@
         <translation>La couture a joint {} arêtes ; arêtes libres restantes : {}</translation>
     </message>
     <message>
+        <source>sewing left nothing of the shape</source>
+        <translation>la couture n'a rien laissé de la forme</translation>
+    </message>
+    <message>
         <source>shorter than a tenth of the size, and the mesh edges with them: {}</source>
         <translation>Plus courtes que le dixième de la taille, et les arêtes du maillage avec elles : {}</translation>
     </message>
@@ -832,20 +1344,104 @@
         <translation>Plus courtes que le dixième de la taille, et les arêtes du maillage avec elles : {} et {} autres</translation>
     </message>
     <message>
+        <source>size and segments of an edge exclude each other</source>
+        <translation>taille et nombre de segments d'une arête s'excluent</translation>
+    </message>
+    <message>
         <source>the fronts have met</source>
         <translation>les fronts se sont rencontrés</translation>
+    </message>
+    <message>
+        <source>the job file is nested too deeply</source>
+        <translation>le fichier de tâche est trop imbriqué</translation>
+    </message>
+    <message>
+        <source>the job file is no JSON: {} in line {}</source>
+        <translation>le fichier de tâche n'est pas du JSON : {} à la ligne {}</translation>
+    </message>
+    <message>
+        <source>the job file is not UTF-8 text</source>
+        <translation>le fichier de tâche n'est pas du texte UTF-8</translation>
+    </message>
+    <message>
+        <source>the job file must hold one JSON object</source>
+        <translation>le fichier de tâche doit contenir un objet JSON</translation>
+    </message>
+    <message>
+        <source>the layers beside have ended</source>
+        <translation>les couches voisines se sont arrêtées</translation>
+    </message>
+    <message>
+        <source>the meshing core is not built for this FreeCAD (Python {}): run "./dev build" in {} and start FreeCAD again ({})</source>
+        <translation>Le noyau de maillage n'est pas construit pour ce FreeCAD (Python {}) : lancez "./dev build" dans {} et redémarrez FreeCAD ({})</translation>
+    </message>
+    <message>
+        <source>the model has changed under the references: {}. Pick them again, or use Follow References or Accept References</source>
+        <translation>Le modèle a changé sous les références : {}. Choisissez-les à nouveau, ou utilisez « Suivre les références » ou « Accepter les références »</translation>
+    </message>
+    <message>
+        <source>the shape holds no face</source>
+        <translation>la forme n'a pas de face</translation>
+    </message>
+    <message>
+        <source>the surface bends too sharply</source>
+        <translation>la surface se courbe trop fort</translation>
+    </message>
+    <message>
+        <source>the text is no BREP shape</source>
+        <translation>le texte n'est pas une forme BREP</translation>
+    </message>
+    <message>
+        <source>the text is no BREP shape: it lacks the line {}</source>
+        <translation>le texte n'est pas une forme BREP : il lui manque la ligne {}</translation>
+    </message>
+    <message>
+        <source>the text is no BREP shape: line {}: {}</source>
+        <translation>le texte n'est pas une forme BREP : ligne {} : {}</translation>
     </message>
     <message>
         <source>the triangulation took {} of the {} nodes of the initial mesh; the others lie on edges or too near to their neighbours</source>
         <translation>La triangulation a repris {} des {} nœuds du maillage initial ; les autres sont sur des arêtes ou trop près de leurs voisins</translation>
     </message>
     <message>
+        <source>there is no snapshot after result(): it gave the mesh</source>
+        <translation>il n'y a plus d'instantané après result() : il a donné le maillage</translation>
+    </message>
+    <message>
+        <source>thickness needs a first height that is the same along the wall</source>
+        <translation>l'épaisseur demande une première hauteur constante le long de la paroi</translation>
+    </message>
+    <message>
+        <source>thickness would take {} layers</source>
+        <translation>l'épaisseur demanderait {} couches</translation>
+    </message>
+    <message>
+        <source>thickness {} mm is less than the first height {} mm</source>
+        <translation>l'épaisseur {} mm est inférieure à la première hauteur {} mm</translation>
+    </message>
+    <message>
         <source>to</source>
         <translation>à</translation>
     </message>
     <message>
+        <source>triangle {} (from 0) has node {}, but there are {}</source>
+        <translation>le triangle {} (compté à partir de 0) a le nœud {}, mais il n'y en a que {}</translation>
+    </message>
+    <message>
         <source>triangles</source>
         <translation>triangles</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>without a unit</source>
+        <translation>sans unité</translation>
+    </message>
+    <message>
+        <source>would overwrite {}: {}</source>
+        <translation>écraserait {} : {}</translation>
     </message>
     <message>
         <source>{edge} on {face} has no layer</source>
@@ -864,6 +1460,10 @@
         <translation>{label} : couche {layer}, {elements} éléments, {seconds} s</translation>
     </message>
     <message>
+        <source>{label}: {quads} quads, {triangles} triangles, {percent:.1f} % quads, {good:.1f} % of angles in 45–135°, angles from {least:.1f}° to {largest:.1f}°</source>
+        <translation>{label} : {quads} quadrangles, {triangles} triangles, {percent:.1f} % de quadrangles, {good:.1f} % des angles dans 45–135°, angles de {least:.1f}° à {largest:.1f}°</translation>
+    </message>
+    <message>
         <source>{label}: {seconds} s</source>
         <translation>{label} : {seconds} s</translation>
     </message>
@@ -876,8 +1476,20 @@
         <translation>{stage} · {elements} éléments · {percent:.1f} % de quadrangles · {seconds:.1f} s</translation>
     </message>
     <message>
+        <source>{} (internal error: please report it with the model)</source>
+        <translation>{} (erreur interne : signalez-la avec le modèle)</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} et {}</translation>
+    </message>
+    <message>
         <source>{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
         <translation>{} et {} autres : premières hauteurs de {} à {} mm ; demandé : {} mm en moyenne, écart jusqu'à {} %</translation>
+    </message>
+    <message>
+        <source>{} belongs to no layer mesh of a shape</source>
+        <translation>{} n'appartient à aucun maillage en couches d'une forme</translation>
     </message>
     <message>
         <source>{} bounds no meshed patch, and no layers grow from it; listed in boundary, it bounds its faces</source>
@@ -888,32 +1500,148 @@
         <translation>{} est venu après le maillage et n'agit pas sur lui : mettez le maillage à jour.</translation>
     </message>
     <message>
+        <source>{} cannot be meshed: {}</source>
+        <translation>{} ne peut pas être maillée : {}</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation>{} ne peut pas être écrit : {}</translation>
+    </message>
+    <message>
+        <source>{} does not close to a manifold mesh</source>
+        <translation>{} ne se ferme pas en un maillage de variété</translation>
+    </message>
+    <message>
         <source>{} elements are turned over.</source>
-        <translation>{} éléments sont retournés.</translation>
+        <translation>{} éléments sont inversés.</translation>
     </message>
     <message>
         <source>{} elements of quality {:.2f} to {:.2f}</source>
         <translation>{} éléments de qualité {:.2f} à {:.2f}</translation>
     </message>
     <message>
+        <source>{} faces meet there</source>
+        <translation>{} faces s'y rencontrent</translation>
+    </message>
+    <message>
+        <source>{} has a slit there</source>
+        <translation>{} y a une fente</translation>
+    </message>
+    <message>
+        <source>{} has no (u, v) on {}</source>
+        <translation>{} n'a pas de (u, v) sur {}</translation>
+    </message>
+    <message>
         <source>{} has no boundary edge that layers could grow from</source>
         <translation>{} n'a pas d'arête de bord d'où des couches pourraient partir</translation>
+    </message>
+    <message>
+        <source>{} has no curve</source>
+        <translation>{} n'a pas de courbe</translation>
+    </message>
+    <message>
+        <source>{} has no curve in the face's (u, v)</source>
+        <translation>{} n'a pas de courbe dans le (u, v) de la face</translation>
+    </message>
+    <message>
+        <source>{} has no face to mesh</source>
+        <translation>{} n'a pas de face à mailler</translation>
+    </message>
+    <message>
+        <source>{} has no face to mesh: {}</source>
+        <translation>{} n'a pas de face à mailler : {}</translation>
+    </message>
+    <message>
+        <source>{} has no mesh yet: mesh it first</source>
+        <translation>{} n'a pas encore de maillage : maillez-le d'abord</translation>
+    </message>
+    <message>
+        <source>{} has no object to mesh</source>
+        <translation>{} n'a pas d'objet à mailler</translation>
+    </message>
+    <message>
+        <source>{} has no surface elements: mesh it first</source>
+        <translation>{} n'a pas d'éléments de surface : maillez-le d'abord</translation>
+    </message>
+    <message>
+        <source>{} is called {} now</source>
+        <translation>{} s'appelle maintenant {}</translation>
+    </message>
+    <message>
+        <source>{} is gone from the model</source>
+        <translation>{} a disparu du modèle</translation>
+    </message>
+    <message>
+        <source>{} is in both {} and {}</source>
+        <translation>{} est à la fois dans {} et dans {}</translation>
+    </message>
+    <message>
+        <source>{} is neither name nor label of an object: {}</source>
+        <translation>{} n'est ni le nom ni l'étiquette d'un objet : {}</translation>
+    </message>
+    <message>
+        <source>{} is no mesh made with Gmsh</source>
+        <translation>{} n'est pas un maillage fait avec Gmsh</translation>
     </message>
     <message>
         <source>{} is no part of {}, which is meshed</source>
         <translation>{} n'est pas une partie de {}, qui est maillé</translation>
     </message>
     <message>
+        <source>{} is not among the faces to mesh</source>
+        <translation>{} n'est pas parmi les faces à mailler</translation>
+    </message>
+    <message>
+        <source>{} is not closed: {} sides of elements have no neighbour, one at ({}, {}, {})</source>
+        <translation>{} n'est pas fermé : {} côtés d'éléments n'ont pas de voisin, l'un en ({}, {}, {})</translation>
+    </message>
+    <message>
         <source>{} is not meshed: {}</source>
         <translation>{} n'est pas maillée : {}</translation>
+    </message>
+    <message>
+        <source>{} is not there any more</source>
+        <translation>{} n'existe plus</translation>
+    </message>
+    <message>
+        <source>{} is not what was picked</source>
+        <translation>{} n'est pas ce qui avait été choisi</translation>
     </message>
     <message>
         <source>{} is on the list already</source>
         <translation>{} est déjà sur la liste</translation>
     </message>
     <message>
+        <source>{} is the label of several objects: {}</source>
+        <translation>{} est l'étiquette de plusieurs objets : {}</translation>
+    </message>
+    <message>
+        <source>{} is too small: it would cut {} into {} segments</source>
+        <translation>{} trop petite : {} serait coupée en {} segments</translation>
+    </message>
+    <message>
+        <source>{} is too small: {} mm asks for {} elements, and {} are the most</source>
+        <translation>{} trop petite : {} mm demandent {} éléments, {} sont le maximum</translation>
+    </message>
+    <message>
+        <source>{} joins no two sides of {}</source>
+        <translation>{} ne joint pas deux côtés de {}</translation>
+    </message>
+    <message>
+        <source>{} layers</source>
+        <translation>{} couches</translation>
+    </message>
+    <message>
         <source>{} meets the wall {} at {} degrees on {}: layers end there instead of running along it</source>
         <translation>{} rencontre la paroi {} à {} degrés sur {} : les couches y finissent au lieu de la longer</translation>
+    </message>
+    <message>
+        <source>{} must be {}, got {}</source>
+        <translation>{} : attendu {}, donné {}</translation>
+    </message>
+    <message>
+        <source>{} must be {}, got {} ({})</source>
+        <translation>{} : attendu {}, donné {} ({})</translation>
     </message>
     <message>
         <source>{} nodes of the initial mesh lay off the shape, by up to {} mm, and were put onto it</source>
@@ -928,20 +1656,60 @@
         <translation>{} sur {} n'a reçu aucune couche dont la hauteur soit mesurable</translation>
     </message>
     <message>
-        <source>{} on {} got no layers{}</source>
-        <translation>{} sur {} n'a reçu aucune couche{}</translation>
+        <source>{} on {} got no layers</source>
+        <translation>{} sur {} n'a reçu aucune couche</translation>
     </message>
     <message>
-        <source>{} on {} got {} complete layers of {}{}</source>
-        <translation>{} sur {} a reçu {} couches complètes sur {}{}</translation>
+        <source>{} on {} got {} complete layers of {}</source>
+        <translation>{} sur {} a reçu {} couches complètes sur {}</translation>
     </message>
     <message>
         <source>{} on {} got {} of {} layers</source>
         <translation>{} sur {} a reçu {} couches sur {}</translation>
     </message>
     <message>
+        <source>{} shape</source>
+        <translation>{} forme</translation>
+    </message>
+    <message>
+        <source>{} volume</source>
+        <translation>{} volume</translation>
+    </message>
+    <message>
+        <source>{} would cut {} into millions of segments</source>
+        <translation>{} couperait {} en millions de segments</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} : {}</translation>
+    </message>
+    <message>
+        <source>{}, {} and {} exclude each other</source>
+        <translation>{}, {} et {} s'excluent</translation>
+    </message>
+    <message>
+        <source>{}, {}, {} and {} are one too many: leave one out</source>
+        <translation>{}, {}, {} et {} : une donnée de trop, retirez-en une</translation>
+    </message>
+    <message>
+        <source>{}: OpenCASCADE failed: {}{}</source>
+        <translation>{} : OpenCASCADE a échoué : {}{}</translation>
+    </message>
+    <message>
+        <source>{}: an entry lists neither edge nor face</source>
+        <translation>{} : une entrée ne nomme ni arête ni face</translation>
+    </message>
+    <message>
+        <source>{}: an entry lists no edge</source>
+        <translation>{} : une entrée ne nomme aucune arête</translation>
+    </message>
+    <message>
         <source>{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
         <translation>{} : premières hauteurs de {} à {} mm ; demandé : {} mm en moyenne, écart jusqu'à {} %</translation>
+    </message>
+    <message>
+        <source>{}: its boundary does not enclose a region</source>
+        <translation>{} : son contour n'enferme aucune région</translation>
     </message>
     <message>
         <source>{}: its elements reach over edges inside the patch; lower feature_angle to part its faces</source>
@@ -956,8 +1724,56 @@
         <translation>{} : ses segments sont fixés : les couches la longent là où elles tiennent</translation>
     </message>
     <message>
+        <source>{}: mesh edges of {} and {} join the same two nodes; they are too long</source>
+        <translation>{} : des arêtes de maillage de {} et {} joignent les deux mêmes nœuds ; elles sont trop longues</translation>
+    </message>
+    <message>
+        <source>{}: mesh edges of {} cross or touch each other</source>
+        <translation>{} : des arêtes de maillage de {} se croisent ou se touchent</translation>
+    </message>
+    <message>
+        <source>{}: mesh edges of {} leave boundary on the wrong side</source>
+        <translation>{} : des arêtes de maillage de {} laissent le contour du mauvais côté</translation>
+    </message>
+    <message>
+        <source>{}: no shape could be read, it is no {} file or holds none</source>
+        <translation>{} : aucune forme n'a pu être lue, ce n'est pas un fichier {} ou il n'en contient pas</translation>
+    </message>
+    <message>
+        <source>{}: point must be finite</source>
+        <translation>{} : le point doit être fini</translation>
+    </message>
+    <message>
+        <source>{}: the IGES file is cut off, or is none</source>
+        <translation>{} : le fichier IGES est tronqué, ou n'en est pas un</translation>
+    </message>
+    <message>
+        <source>{}: the IGES file is damaged: OpenCASCADE's reader crashes on it</source>
+        <translation>{} : le fichier IGES est endommagé : le lecteur d'OpenCASCADE s'y arrête brutalement</translation>
+    </message>
+    <message>
+        <source>{}: the STEP file is damaged: {} {}: {}</source>
+        <translation>{} : le fichier STEP est endommagé : {} {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: the ending is none of {}</source>
+        <translation>{} : l'extension n'est pas l'une de {}</translation>
+    </message>
+    <message>
+        <source>{}: the file cannot be opened</source>
+        <translation>{} : le fichier ne peut pas être ouvert</translation>
+    </message>
+    <message>
         <source>{}: the layers of the faces beside it would cut it differently; its nodes follow the mean, and leave the heights asked for by up to {} %</source>
         <translation>{} : les couches des faces voisines la couperaient différemment ; ses nœuds suivent la moyenne et s'écartent des hauteurs demandées jusqu'à {} %</translation>
+    </message>
+    <message>
+        <source>{}: there is no {}, edges of the model: {}</source>
+        <translation>{} : {} n'existe pas, arêtes du modèle : {}</translation>
+    </message>
+    <message>
+        <source>{}: there is no {}, faces of the model: {}</source>
+        <translation>{} : {} n'existe pas, faces du modèle : {}</translation>
     </message>
     <message>
         <source>{}: triangles more than 30 degrees off the surface: {}; the worst leans by {} degrees</source>
@@ -965,15 +1781,43 @@
     </message>
     <message>
         <source>{}: triangles turned over against the surface: {}; the worst leans by {} degrees</source>
-        <translation>{} : triangles retournés par rapport à la surface : {} ; le pire penche de {} degrés</translation>
+        <translation>{} : triangles inversés par rapport à la surface : {} ; le pire penche de {} degrés</translation>
     </message>
     <message>
         <source>{}: {} elements are turned over against the surface</source>
-        <translation>{} : {} éléments sont retournés par rapport à la surface</translation>
+        <translation>{} : {} éléments sont inversés par rapport à la surface</translation>
     </message>
     <message>
         <source>{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces</source>
         <translation>{} : {} éléments débordent des arêtes intérieures de la partie ; un angle d'arête vive plus petit sépare ses faces</translation>
+    </message>
+    <message>
+        <source>{}: {} is a pole without length</source>
+        <translation>{} : {} est un pôle sans longueur</translation>
+    </message>
+    <message>
+        <source>{}: {} is a pole without length, nothing grows there</source>
+        <translation>{} : {} est un pôle sans longueur, rien n'y croît</translation>
+    </message>
+    <message>
+        <source>{}: {} is listed twice</source>
+        <translation>{} : {} est nommée deux fois</translation>
+    </message>
+    <message>
+        <source>{}: {} must bound its patch: {}</source>
+        <translation>{} : {} doit border sa partie : {}</translation>
+    </message>
+    <message>
+        <source>{}: {} needs an edge with two ends, {} is closed</source>
+        <translation>{} : {} demande une arête à deux extrémités, {} est fermée</translation>
+    </message>
+    <message>
+        <source>{}: {} touches none of the edges it is listed for ({})</source>
+        <translation>{} : {} ne touche aucune des arêtes pour lesquelles elle est nommée ({})</translation>
+    </message>
+    <message>
+        <source>{}; {} is the likest to it</source>
+        <translation>{} ; le plus ressemblant est {}</translation>
     </message>
 </context>
 <context>
@@ -999,6 +1843,10 @@
         <translation>Chaque couche est plus haute que la précédente de ce facteur.</translation>
     </message>
     <message>
+        <source>Each layer of this wall is this much higher than the one before it.</source>
+        <translation>Chaque couche de cette paroi est plus haute que la précédente de ce facteur.</translation>
+    </message>
+    <message>
         <source>Each layer of this wall is this much higher than the one before it. 0: not given.</source>
         <translation>Chaque couche de cette paroi est plus haute que la précédente de ce facteur. 0 : non précisé.</translation>
     </message>
@@ -1007,12 +1855,16 @@
         <translation>Longueur des arêtes du maillage hors des couches. Par défaut : 1/40 de la diagonale de la boîte englobante de la forme.</translation>
     </message>
     <message>
+        <source>Edge length of the mesh.</source>
+        <translation>Longueur des arêtes du maillage.</translation>
+    </message>
+    <message>
         <source>Edge length of the mesh. 0: not given.</source>
         <translation>Longueur des arêtes du maillage. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Elements turned over against the surface.</source>
-        <translation>Éléments retournés par rapport à la surface.</translation>
+        <translation>Éléments inversés par rapport à la surface.</translation>
     </message>
     <message>
         <source>Faces that meet at an angle below this are meshed as one patch; layers run across the edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed with 20.</source>
@@ -1023,12 +1875,20 @@
         <translation>Les faces dont les arêtes sont à cette distance au plus l’une de l’autre y sont jointes avant le maillage ; 0 n’en joint aucune. Faces et arêtes gardent leurs noms.</translation>
     </message>
     <message>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first.</source>
+        <translation>Hauteur de toutes les couches ensemble. Avec deux données parmi la première hauteur, la croissance et le nombre de couches, elle donne la troisième ; s'il y en a moins, celles de tout le maillage les remplacent, et le nombre de couches est calculé d'abord.</translation>
+    </message>
+    <message>
         <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>
-        <translation>Hauteur de toutes les couches ensemble. Avec deux de first_height, growth et layers, elle donne la troisième ; si moins sont données, celles du travail les remplacent, et layers est calculé d'abord. 0 : non précisé.</translation>
+        <translation>Hauteur de toutes les couches ensemble. Avec deux données parmi la première hauteur, la croissance et le nombre de couches, elle donne la troisième ; s'il y en a moins, celles de tout le maillage les remplacent, et le nombre de couches est calculé d'abord. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Height of the first layer, measured along the surface. Default: 1/10 of size.</source>
         <translation>Hauteur de la première couche, mesurée le long de la surface. Par défaut : 1/10 de la taille.</translation>
+    </message>
+    <message>
+        <source>Height of this wall's first layer.</source>
+        <translation>Hauteur de la première couche de cette paroi.</translation>
     </message>
     <message>
         <source>Height of this wall's first layer. 0: not given.</source>
@@ -1039,12 +1899,20 @@
         <translation>Écart de la hauteur de chaque élément d'une couche à celle demandée, rapporté à celle-ci ; NaN pour le cœur.</translation>
     </message>
     <message>
+        <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight.</source>
+        <translation>Au lieu de la première hauteur : l'angle dont la paroi tourne sur la longueur d'une première hauteur ; où la paroi est droite, la hauteur est la taille.</translation>
+    </message>
+    <message>
         <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight. 0: not given.</source>
-        <translation>Au lieu de first_height : l'angle dont la paroi tourne sur la longueur d'une première hauteur ; où la paroi est droite, la hauteur est la taille. 0 : non précisé.</translation>
+        <translation>Au lieu de la première hauteur : l'angle dont la paroi tourne sur la longueur d'une première hauteur ; où la paroi est droite, la hauteur est la taille. 0 : non précisé.</translation>
+    </message>
+    <message>
+        <source>Instead of first_height: the length of the mesh edges along the wall over the first height, everywhere.</source>
+        <translation>Au lieu de la première hauteur : la longueur des arêtes du maillage le long de la paroi divisée par la première hauteur, partout.</translation>
     </message>
     <message>
         <source>Instead of first_height: the length of the mesh edges along the wall over the first height, everywhere. 0: not given.</source>
-        <translation>Au lieu de first_height : la longueur des arêtes du maillage le long de la paroi divisée par la première hauteur, partout. 0 : non précisé.</translation>
+        <translation>Au lieu de la première hauteur : la longueur des arêtes du maillage le long de la paroi divisée par la première hauteur, partout. 0 : non précisé.</translation>
     </message>
     <message>
         <source>Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise.</source>
@@ -1052,7 +1920,7 @@
     </message>
     <message>
         <source>Meshes again whenever a recompute finds the mesh out of date.</source>
-        <translation>Remaille chaque fois qu'un recalcul trouve le maillage périmé.</translation>
+        <translation>Remaille chaque fois qu'un recalcul trouve le maillage obsolète.</translation>
     </message>
     <message>
         <source>Nodes of the mesh.</source>
@@ -1063,8 +1931,16 @@
         <translation>Nombre de couches ; avec 0, elles croissent jusqu'à ce que les fronts se ferment ; avec « isotropic », jusqu'à ce que leur hauteur atteigne l'espacement le long de la paroi.</translation>
     </message>
     <message>
+        <source>Number of mesh edges along each of the edges.</source>
+        <translation>Nombre d'arêtes du maillage le long de chacune des arêtes.</translation>
+    </message>
+    <message>
         <source>Number of mesh edges along each of the edges. 0: not given.</source>
         <translation>Nombre d'arêtes du maillage le long de chacune des arêtes. 0 : non précisé.</translation>
+    </message>
+    <message>
+        <source>Number of this wall's layers; 0 grows them until the fronts close.</source>
+        <translation>Nombre de couches de cette paroi ; avec 0, elles croissent jusqu'à ce que les fronts se ferment.</translation>
     </message>
     <message>
         <source>Number of this wall's layers; 0 grows them until the fronts close. -1: not given.</source>
@@ -1085,6 +1961,10 @@
     <message>
         <source>Quads of the mesh.</source>
         <translation>Quadrangles du maillage.</translation>
+    </message>
+    <message>
+        <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps.</source>
+        <translation>Rapport de la dernière arête du maillage le long d'une arête CAO à la première, par pas géométriques.</translation>
     </message>
     <message>
         <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps. 0: not given.</source>
@@ -1111,8 +1991,12 @@
         <translation>Les faces, arêtes et sommets pour lesquels vaut la taille.</translation>
     </message>
     <message>
+        <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex.</source>
+        <translation>La première hauteur à la fin de chaque arête ; elle change linéairement le long de l'arête, à partir de la première hauteur à son premier sommet.</translation>
+    </message>
+    <message>
         <source>The first height at the end of each edge; it changes linearly along the edge, from first_height at its first vertex. 0: not given.</source>
-        <translation>La première hauteur à la fin de chaque arête ; elle change linéairement le long de l'arête, à partir de first_height à son premier sommet. 0 : non précisé.</translation>
+        <translation>La première hauteur à la fin de chaque arête ; elle change linéairement le long de l'arête, à partir de la première hauteur à son premier sommet. 0 : non précisé.</translation>
     </message>
     <message>
         <source>The group's name in the mesh; the label, unless another is given here.</source>
@@ -1156,7 +2040,7 @@
     </message>
     <message>
         <source>The report of the mesh, as a job writes it.</source>
-        <translation>Le rapport du maillage, comme un travail l'écrit.</translation>
+        <translation>Le rapport du maillage, tel que l'écrit une tâche par lots.</translation>
     </message>
     <message>
         <source>The settings that the mesh was made with.</source>
@@ -1188,7 +2072,7 @@
     </message>
     <message>
         <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>
-        <translation>Wall : des couches croissent des arêtes. Match : les couches d’autres parois les longent. Off : ni l’un ni l’autre. Boundary : elles bordent leurs faces, si lisse que soit leur raccord. Smooth : les couches les traversent.</translation>
+        <translation>Paroi (Wall) : des couches croissent des arêtes. Suivre (Match) : les couches d’autres parois les longent. Sans (Off) : ni l’un ni l’autre. Bord (Boundary) : elles bordent leurs faces, si lisse que soit leur raccord. Lisse (Smooth) : les couches les traversent.</translation>
     </message>
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>

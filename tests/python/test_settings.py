@@ -6,7 +6,7 @@ import pytest
 from advlayers.errors import InputError
 from advlayers.settings_check import CHECKS, check_all, check_names
 from advlayers.settings_table import (
-    JOB_SETTINGS, MESH_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, range_text,
+    JOB_SETTINGS, MESH_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, range_said,
     setting)
 
 EVERY_SETTING = MESH_SETTINGS + JOB_SETTINGS + WALL_SETTINGS + SIZE_SETTINGS + REFINEMENT_SETTINGS
@@ -112,6 +112,6 @@ def test_names_that_the_model_does_not_have(values, words):
 
 
 def test_ranges_in_words():
-    assert range_text(setting("feature_angle")) == ">= 0 and < 180 deg"
-    assert range_text(setting("size")) == "> 0 mm"
-    assert range_text(setting("core")) == ""
+    assert range_said(setting("feature_angle")).english == ">= 0 and < 180 deg"
+    assert range_said(setting("size")).english == "> 0 mm"
+    assert range_said(setting("core")).english == ""

@@ -103,7 +103,7 @@ def test_a_failed_update_tells_why(mesh):
     seen = []
     answer_message(seen)
     run("Update")
-    assert len(seen) == 1 and "growth" in seen[0]
+    assert len(seen) == 1 and "Growth must be" in seen[0]
 
 
 def test_check_opens_the_results(mesh):

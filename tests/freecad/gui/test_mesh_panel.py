@@ -324,7 +324,7 @@ def test_every_error_shows_in_the_panel(opened, box, monkeypatch):
     opened.Faces = []
     child(QtGui.QWidget, "LayerMesh_first_height").setProperty("rawValue", 0.0)
     click("AdvLayersMeshButton")
-    assert "first_height must be > 0 mm" in status()
+    assert "First height must be > 0 mm" in status()
     child(QtGui.QWidget, "LayerMesh_first_height").setProperty("rawValue", 0.5)
     part, opened.Part = opened.Part, None
     click("AdvLayersMeshButton")

@@ -105,7 +105,7 @@ def test_groups_carry_their_label(mesh):
 
 @pytest.mark.parametrize("make, arguments, words", [
     (advlayers.make_wall, {"references": []}, "must not be empty"),
-    (advlayers.make_wall, {"references": ["Edge99"]}, "there are 12 edges"),
+    (advlayers.make_wall, {"references": ["Edge99"]}, "the shape has 12"),
     (advlayers.make_wall, {"references": ["Vertex1"]}, "cannot hold Vertex1"),
     (advlayers.make_wall, {"references": ["Wing"]}, "no face, edge or vertex"),
     (advlayers.make_wall, {"references": ["Edge1"], "first_height": -1}, "first_height must be"),

@@ -136,7 +136,7 @@ def test_names_beyond_the_model(document):
     cut.Tool.Placement.Base.x = 500
     document.recompute()
     (problem,) = layer_mesh.reference_problems(mesh)
-    assert problem.name == "Face7" and "not there any more" in problem.text
+    assert problem.name == "Face7" and "not there any more" in problem.said.english
 
 
 def test_what_is_known_survives_saving(document, tmp_path):
