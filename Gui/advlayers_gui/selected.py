@@ -8,7 +8,6 @@ import FreeCADGui
 
 from advlayers import controls, faceted, layer_mesh
 from advlayers.errors import InputError
-from advlayers.language import tr
 from advlayers.picked_names import names_on
 
 Pick = Tuple[Any, Tuple[str, ...]]
@@ -47,8 +46,8 @@ def source() -> Optional[Tuple[Any, List[str]]]:
             found.setdefault(owner, []).extend(faces)
     if len(found) > 1:
         labels = ", ".join(owner.Label for owner in found)
-        raise InputError("", tr("Select one shape, not several ({}): a layer mesh is of one, which "
-                                "may be a compound.").format(labels))
+        raise InputError("", "Select one shape, not several ({}): a layer mesh is of one, which "
+                         "may be a compound.", labels)
     return next(iter(found.items()), None)
 
 
