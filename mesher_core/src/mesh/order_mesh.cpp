@@ -7,11 +7,20 @@
 namespace advlayers {
 namespace {
 
-template <class Values>
-Values gathered(const Values& values, const std::vector<std::size_t>& from) {
+template <class Values, class Handle>
+Values gathered(const Values& values, const std::vector<Handle>& from) {
   Values result;
   result.reserve(from.size());
-  for (const std::size_t i : from) result.push_back(values[i]);
+  for (const Handle h : from) result.push_back(values[h.index()]);
+  return result;
+}
+
+// Of edges, which two half-edges share: from[0] and from[1] are those of the first.
+template <class Values>
+Values gathered_by_edge(const Values& values, const std::vector<HalfedgeH>& from) {
+  Values result;
+  result.reserve(from.size() / 2);
+  for (std::size_t i = 0; i < from.size(); i += 2) result.push_back(values[from[i].index() >> 1]);
   return result;
 }
 
@@ -20,6 +29,7 @@ Values gathered(const Values& values, const std::vector<std::size_t>& from) {
 // Live half-edges in their new order: each edge from its lesser vertex first.
 std::vector<HalfedgeH> SurfaceMesh::halfedges_by_vertices() const {
   std::vector<HalfedgeH> ahead;
+  ahead.reserve(static_cast<std::size_t>(live_edges_));
   for (std::size_t i = 0; i < to_.size(); i += 2) {
     const HalfedgeH h(i);
     if (alive(h)) ahead.push_back(from(h) < to(h) ? h : twin(h));
@@ -44,6 +54,7 @@ HalfedgeH SurfaceMesh::from_least_corner(FaceH f) const {
 void SurfaceMesh::put_in_order() {
   const std::vector<HalfedgeH> halves = halfedges_by_vertices();
   std::vector<HalfedgeH> corners;  // one half-edge of each live face
+  corners.reserve(static_cast<std::size_t>(live_faces_));
   for (std::size_t i = 0; i < face_halfedge_.size(); ++i) {
     if (alive(FaceH(i))) corners.push_back(from_least_corner(FaceH(i)));
   }
@@ -52,27 +63,23 @@ void SurfaceMesh::put_in_order() {
             [&](HalfedgeH a, HalfedgeH b) { return ends(a) < ends(b); });
 
   std::vector<HalfedgeH> half_to(to_.size());
-  std::vector<std::size_t> half_from, edge_from, face_from;
-  for (const HalfedgeH h : halves) {
-    half_to[h.index()] = HalfedgeH(half_from.size());
-    half_from.push_back(h.index());
-    if (half_from.size() % 2 == 0) edge_from.push_back(h.index() >> 1);
-  }
-  std::vector<FaceH> face_to(face_halfedge_.size());
+  for (std::size_t k = 0; k < halves.size(); ++k) half_to[halves[k].index()] = HalfedgeH(k);
+  std::vector<FaceH> face_to(face_halfedge_.size()), faces;
+  faces.reserve(corners.size());
   for (const HalfedgeH h : corners) {
-    face_to[face(h).index()] = FaceH(face_from.size());
-    face_from.push_back(face(h).index());
+    face_to[face(h).index()] = FaceH(faces.size());
+    faces.push_back(face(h));
   }
-  to_ = gathered(to_, half_from);
-  next_ = gathered(next_, half_from);
-  prev_ = gathered(prev_, half_from);
-  face_ = gathered(face_, half_from);
+  to_ = gathered(to_, halves);
+  next_ = gathered(next_, halves);
+  prev_ = gathered(prev_, halves);
+  face_ = gathered(face_, halves);
   for (HalfedgeH& h : next_) h = half_to[h.index()];
   for (HalfedgeH& h : prev_) h = half_to[h.index()];
   for (FaceH& f : face_) f = f.valid() ? face_to[f.index()] : f;
-  frozen_ = gathered(frozen_, edge_from);
-  curve_ = gathered(curve_, edge_from);
-  face_data_ = gathered(face_data_, face_from);
+  frozen_ = gathered_by_edge(frozen_, halves);
+  curve_ = gathered_by_edge(curve_, halves);
+  face_data_ = gathered(face_data_, faces);
   face_halfedge_.resize(corners.size());
   for (std::size_t k = 0; k < corners.size(); ++k) face_halfedge_[k] = half_to[corners[k].index()];
   free_edges_.clear();

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/free_memory.h"
 #include "base/side_by_side.h"
 #include "boundary/discretization.h"
 #include "boundary/halve_edges.h"
@@ -169,6 +170,7 @@ void Mesher::Impl::start() {
   }
   const Stopwatch watch(seconds["triangulate"]);
   triangulate_all();
+  release_free_memory();
   started = true;
 }
 
@@ -235,7 +237,9 @@ void Mesher::Impl::advance_all() {
 
 void Mesher::Impl::finish_jobs() {
   const Stopwatch watch(seconds["core"]);
+  release_free_memory();
   for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
+  release_free_memory();
 }
 
 // Makes the faces patches of their own; what is not yet meshed then waits for another start. Edges
