@@ -55,11 +55,25 @@ def _of_code(tree):
                 for choice in (form.body, form.orelse) if isinstance(form, ast.IfExp) else (form,):
                     if _says_something(_text(choice)):
                         yield WINDOW, _text(choice)
-            elif name == "addProperty" and len(node.args) > 3 and _text(node.args[3]):
-                yield PROPERTY, _text(node.args[3])
-        elif isinstance(node, ast.Tuple) and len(node.elts) > 2:
-            if any(_text(element).startswith("App::Property") for element in node.elts[:2]):
-                yield PROPERTY, _text(node.elts[-1])
+            elif name == "addProperty":
+                yield from _of_property([_text(argument) for argument in node.args])
+        elif isinstance(node, ast.Tuple):
+            yield from _of_property([_text(element) for element in node.elts])
+
+
+def _of_property(words):
+    """Its type, its name, its group and what it is there for, as far as they are literals; two of
+    them may stand the other way round, and the group may be missing."""
+    if len(words) > 2 and any(word.startswith("App::Property") for word in words[:2]):
+        name = next(word for word in words[:2] if not word.startswith("App::Property"))
+        for text in (_apart(name), *words[2:]):
+            if text:
+                yield PROPERTY, text
+
+
+def _apart(name):
+    """ "First Height" of "FirstHeight": so FreeCAD shows a property."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
 
 
 def _of_core(source):
@@ -85,7 +99,8 @@ def _of_class(node):
         for key in ("MENU", "TOOLTIP"):
             yield f"AdvLayers_{texts_of['NAME']}", texts_of[key]
     if texts_of.get("REFERENCES"):
-        yield PROPERTY, texts_of["REFERENCES"]
+        yield from ((PROPERTY, text) for text in (
+            texts_of["REFERENCES"], "References", node.name))  # its values' group has its name
     if "NAME" not in texts_of and texts_of.get("TITLE"):
         yield WINDOW, texts_of["TITLE"]
 
@@ -95,13 +110,14 @@ def _of_tables():
 
     for entry in table.MESH_SETTINGS:
         if entry.property:
-            yield PROPERTY, entry.doc
+            yield from ((PROPERTY, text) for text in (
+                entry.doc, _apart(entry.property), entry.group))
         yield from ((WINDOW, choice) for choice in entry.choices)
     radius = table.setting("radius", table.REFINEMENT_SETTINGS)
     for entry in (*table.WALL_SETTINGS, *table.SIZE_SETTINGS, radius):
         if entry.key not in ("edges", "faces"):
-            yield PROPERTY, entry.doc
-            yield PROPERTY, table.optional_doc(entry)
+            yield from ((PROPERTY, text) for text in (
+                entry.doc, table.optional_doc(entry), _apart(table.property_name(entry))))
     for key in table.keys():
         yield WINDOW, table.label(key)
 

@@ -15,15 +15,15 @@ from advlayers.face_edges import FaceEdges
 from advlayers.language import tr
 from advlayers.picked_names import link_value, names_on
 from advlayers.properties import (
-    HIDDEN, add_setting, from_property, plain_values, property_name, to_property)
+    HIDDEN, add_setting, from_property, plain_values, to_property)
 from advlayers.proxy import Stateless, attach_view
 from advlayers.references import Picker, Problem, remembered
 from advlayers.references import problems as reference_problems
 from advlayers.sentence import Sentence
 from advlayers.settings_check import check_all
 from advlayers.settings_table import (
-    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, setting,
-    unset_value)
+    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, property_name,
+    setting, unset_value)
 
 CONDITIONS = ("Wall", "Match", "Off", "Boundary", "Smooth")
 _REFERENCES = "References"
@@ -264,7 +264,7 @@ def contributions(mesh_object) -> Dict[str, Any]:
     source = mesh_object.Part
     for child in children(mesh_object):
         if not child.References:
-            raise InputError("references", "of {} are missing: pick faces or edges", child.Label)
+            raise InputError("", "{} refers to nothing: pick faces or edges for it", child.Label)
     conditions: Dict[str, List[Any]] = {condition: [] for condition in CONDITIONS}
     for wall in mesh_object.WallList:
         conditions[wall.Condition].append(_wall(wall, source))
@@ -292,7 +292,8 @@ def _add_size(size, source, found: Dict[str, Any]) -> None:
     shape = cad_input.global_shape(source)
     for name in vertices:
         if "size" not in given:
-            raise InputError("size", "of {} is needed about {}", size.Label, name)
+            raise InputError("", "{} has no value for its size: give one for the surroundings of "
+                             "{}", size.Label, name)
         point = list(Picker(shape).pick(name).centre)
         found["refinements"].append({"point": point, "size": given["size"], "radius": radius})
 

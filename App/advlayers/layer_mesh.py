@@ -22,12 +22,12 @@ from advlayers.language import tr
 from advlayers.mesh_data import MeshData
 from advlayers.mesh_properties import add_properties, property_settings
 from advlayers.meshing import Run, core_settings, default_lengths
-from advlayers.properties import from_property, plain_values, property_name, to_property
+from advlayers.properties import from_property, plain_values, to_property
 from advlayers.proxy import Stateless, attach_view, prepare_view, show_mesh
 from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.sentence import Sentence, listed
 from advlayers.settings_check import check_all, check_names
-from advlayers.settings_table import MESH_SETTINGS
+from advlayers.settings_table import MESH_SETTINGS, property_name
 
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = "Not meshed", "Up to date", "Out of date"
 LOST_REFERENCES = "Lost references"

@@ -7,17 +7,13 @@ import FreeCAD
 
 from advlayers.errors import InputError
 from advlayers.sentence import Sentence
-from advlayers.settings_table import Setting
+from advlayers.settings_table import Setting, property_name
 
 READ_ONLY, HIDDEN = 1, 2  # editor modes
 
 _NUMBERS = {"mm": "App::PropertyLength", "deg": "App::PropertyAngle", "": "App::PropertyFloat"}
 _TYPES = {"count": "App::PropertyInteger", "layers": "App::PropertyString",
           "choice": "App::PropertyEnumeration", "flag": "App::PropertyBool"}
-
-
-def property_name(entry: Setting) -> str:
-    return entry.property or "".join(word.capitalize() for word in entry.key.split("_"))
 
 
 def property_type(entry: Setting) -> str:

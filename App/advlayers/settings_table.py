@@ -210,7 +210,8 @@ WALL_SETTINGS = (
     Setting(
         "thickness", "number", None,
         "Height of all layers together. With two of first_height, growth and layers it gives the "
-        "third; where fewer are given, the job's stand in, and layers are worked out first.",
+        "third; where fewer are given, those of the whole mesh stand in, and layers are worked out "
+        "first.",
         unit="mm", low=0.0, low_open=True,
     ),
 )
@@ -256,6 +257,11 @@ def keys() -> FrozenSet[str]:
 def label(key: str) -> str:
     """As the window shows a setting: "First height" of "first_height"."""
     return key.replace("_", " ").capitalize()
+
+
+def property_name(entry: Setting) -> str:
+    """Of the property that a document object has it in."""
+    return entry.property or "".join(word.capitalize() for word in entry.key.split("_"))
 
 
 def range_said(entry: Setting) -> Sentence:

@@ -6,6 +6,7 @@ from PySide import QtGui
 from advlayers import controls
 from advlayers_gui.control_editor import ControlEditor
 from advlayers_gui.pick_bar import PickBar
+from advlayers_gui.status_line import StatusLine
 from advlayers_gui.task_panel import TaskPanel
 
 
@@ -20,13 +21,12 @@ class ControlPanel(TaskPanel):
         self.form.setWindowTitle(control.Label)
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(4, 4, 4, 4)
-        self._message = QtGui.QLabel()
-        self._message.setObjectName("AdvLayersStatus")
-        self._message.setWordWrap(True)
-        self._pick_bar = PickBar(source, control.Proxy.KINDS, self._message.setText)
+        self._status = StatusLine()
+        self._pick_bar = PickBar(source, control.Proxy.KINDS, self._status.say)
         self._editor = ControlEditor(control, source, self._pick_bar.picks, self._changed,
-                                     self._message.setText)
-        for part in (self._pick_bar.widget, self._editor.widget, self._message):
+                                     self._status.say)
+        # On top, as in the panel of the mesh: a small window must not scroll away what is wrong.
+        for part in (self._status.widget, self._pick_bar.widget, self._editor.widget):
             layout.addWidget(part)
         self._pick_bar.picks.begin()
         source.ViewObject.Visibility, self._mesh_object.ViewObject.Visibility = True, False
@@ -38,7 +38,7 @@ class ControlPanel(TaskPanel):
 
     def _changed(self) -> None:
         wrong = self._preview_heights(self._mesh_object)
-        self._message.setText(wrong or self.heights.caption())
+        self._status.say(wrong or self.heights.caption(), wrong=bool(wrong))
 
     def _clean_up(self) -> None:
         self._pick_bar.picks.end()

@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 from advlayers import controls
 from advlayers.errors import InputError
 from advlayers.language import tr
-from advlayers.properties import property_name
+from advlayers.settings_table import property_name
 from advlayers_gui.control_editor import ControlEditor, condition_texts, references_of
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import tool_button
@@ -28,7 +28,7 @@ class ControlTable:
         self._rows: List[Any] = []
         self.widget = QtGui.QWidget()
         self._layout = QtGui.QVBoxLayout(self.widget)
-        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addLayout(self._buttons())
         self._layout.addWidget(self._make_table())
         self._place = QtGui.QVBoxLayout()
@@ -156,7 +156,7 @@ class ControlTable:
             else:
                 made = controls.make(kind, self._mesh_object, names,
                                      condition=condition or controls.CONDITIONS[0],
-                                     label=condition)
+                                     label=condition_texts().get(condition, ""))
         except InputError as error:
             self._on_refused(error.sentence.translated if names else
                              tr("select faces or edges in the 3D view first"))

@@ -135,6 +135,8 @@ class MeshPanel(TaskPanel):
         self._forms: List[SettingsForm] = []
         self._tabs = QtGui.QTabWidget()
         self._tabs.setObjectName("AdvLayersTabs")
+        self._tabs.setUsesScrollButtons(False)
+        self._tabs.setElideMode(QtCore.Qt.ElideRight)
         self._tabs.addTab(self._settings_tab(), tr("General"))
         self._table = ControlTable(self._object, self._pick_bar.picks, self._changed,
                                    self._run.say)
@@ -188,8 +190,8 @@ class MeshPanel(TaskPanel):
         group.setChecked(False)
         inside = QtGui.QWidget()
         around, form = QtGui.QVBoxLayout(group), QtGui.QFormLayout(inside)
-        for layout in (around, form):
-            layout.setContentsMargins(2, 0, 2, 0)
+        around.setContentsMargins(2, 10, 2, 0)
+        form.setContentsMargins(2, 0, 2, 0)
         around.addWidget(inside)
         self._forms.append(SettingsForm(self._object, entries, form, self._changed,
                                         self._run.say))

@@ -6,7 +6,7 @@ from typing import Any, Dict, List
 import advlayers
 from advlayers import controls
 from advlayers.mesh_properties import property_settings
-from advlayers.properties import property_name
+from advlayers.settings_table import property_name
 from advlayers_gui.command import do, in_code
 
 

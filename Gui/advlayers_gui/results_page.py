@@ -63,6 +63,7 @@ class ResultsPage:
         row.addWidget(QtGui.QLabel(tr("Colour by")))
         self._choice = QtGui.QComboBox()
         self._choice.setObjectName("AdvLayersField")
+        self._choice.setToolTip(tr("What the colours of the elements in the 3D view stand for"))
         self._choice.setMinimumContentsLength(6)
         self._choice.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self._choice.addItems([title_of(field) for field in FIELDS])
@@ -82,6 +83,8 @@ class ResultsPage:
         self._walls.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self._walls.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self._walls.setMinimumHeight(130)
+        self._walls.setToolTip(tr("A click shows where layers end too early, or where the first "
+                                  "height is most off"))
         self._walls.cellClicked.connect(lambda row, _column: self._pick_wall(row))
         return self._walls
 

@@ -11,9 +11,9 @@ from advlayers.errors import CoreMissing
 from advlayers.language import tr
 from advlayers.sentence import of_diagnostic, of_error
 from advlayers_gui.mesh_task import Canvas, MeshTask, Outcome, Progress
+from advlayers_gui.status_line import StatusLine
 
 _STEPS = 1000  # of the progress bar
-_WRONG_COLOUR = "#c8202c"  # to be read on light and on dark
 
 
 class RunBox:
@@ -32,15 +32,15 @@ class RunBox:
         layout.setContentsMargins(0, 0, 0, 0)
         self._button = QtGui.QPushButton(tr("Mesh"))
         self._button.setObjectName("AdvLayersMeshButton")
+        self._button.setToolTip(tr("Meshes with the settings below; OK then puts the mesh into the "
+                                   "document"))
         self._button.clicked.connect(self._start_or_stop)
         self._bar = QtGui.QProgressBar()
         self._bar.setObjectName("AdvLayersProgress")
         self._bar.setTextVisible(False)
         self._bar.hide()
-        self._status = QtGui.QLabel(state_text(mesh_object))
-        self._status.setObjectName("AdvLayersStatus")
-        self._status.setWordWrap(True)
-        for part in (self._button, self._bar, self._status):
+        self._status = StatusLine(state_text(mesh_object))
+        for part in (self._button, self._bar, self._status.widget):
             layout.addWidget(part)
 
     @property
@@ -48,8 +48,7 @@ class RunBox:
         return self._task is not None
 
     def say(self, text: str, wrong: bool = False) -> None:
-        self._status.setStyleSheet(f"color: {_WRONG_COLOUR}" if wrong else "")
-        self._status.setText(text)
+        self._status.say(text, wrong)
 
     def fail(self, text: str) -> None:
         """Tells an error where the user looks, and in the report view."""

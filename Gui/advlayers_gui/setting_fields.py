@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from typing import Any, Callable, Iterable, List, Optional
 
 import FreeCADGui
@@ -10,13 +11,17 @@ from PySide import QtGui
 from advlayers.errors import InputError
 from advlayers.initial_mesh import holds_mesh
 from advlayers.language import tr, tr_doc
-from advlayers.properties import from_property, property_name, to_property
-from advlayers.settings_table import Setting, label, unset_value
+from advlayers.properties import from_property, to_property
+from advlayers.settings_table import Setting, label, property_name, unset_value
 
 _HIGHEST = 1e9  # where a setting has no bound of its own
 _HIGHEST_NUMBER = 1000.0  # of numbers without a unit: growths and ratios
 _MOST = 1_000_000
-_LEAST_WIDTH = 66  # [pixels] of a field: the task panel is narrow, and cuts off what is wider
+# What a field has to have room for; where its label leaves less, the field goes below the label.
+_LEAST_TEXT = "00.00 mm"
+_LEAST_NUMBER = "0.0000"
+_QUANTITY_BUTTONS = 36  # [pixels] for the sign of an expression and the arrows
+_BUTTONS = 24
 
 
 class Field:
@@ -24,7 +29,7 @@ class Field:
 
     def __init__(self, entry: Setting, widget) -> None:
         self.entry, self.widget = entry, widget
-        widget.setToolTip(tr_doc(entry.doc))
+        widget.setToolTip(tooltip_of(entry))
 
     def value(self) -> Any:
         raise NotImplementedError
@@ -38,6 +43,13 @@ class Field:
 
     def bind(self, document_object) -> None:
         """Offers expressions, where the widget can."""
+
+    def least_width(self) -> int:
+        """[pixels]"""
+        return self._room_for(_LEAST_NUMBER, _BUTTONS)
+
+    def _room_for(self, text: str, buttons: int) -> int:
+        return self.widget.fontMetrics().boundingRect(text).width() + buttons
 
     def enable(self, on: bool) -> None:
         self.widget.setEnabled(on)
@@ -66,6 +78,9 @@ class QuantityField(Field):
 
     def on_edited(self, act: Callable[[], None]) -> None:
         self.widget.editingFinished.connect(act)
+
+    def least_width(self) -> int:
+        return self._room_for(_LEAST_TEXT, _QUANTITY_BUTTONS)
 
     def _forget(self) -> None:
         self.widget = None
@@ -138,8 +153,7 @@ class LayersField(Field):
                               tr("Number")])
         self.number.setRange(1, _MOST)
         self.number.setKeyboardTracking(False)
-        self.number.setMinimumWidth(_LEAST_WIDTH)
-        self.choice.setMinimumContentsLength(3)
+        self.choice.setMinimumContentsLength(8)
         self.choice.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.choice.setObjectName("LayersEnd")
         self.number.setObjectName("LayersNumber")
@@ -163,6 +177,9 @@ class LayersField(Field):
         self.choice.currentIndexChanged.connect(lambda _index: act())
         self.number.valueChanged.connect(lambda _value: act())
 
+    def least_width(self) -> int:
+        return self._room_for(_longest(self.choice), _BUTTONS)
+
 
 class ChoiceField(Field):
     def __init__(self, entry: Setting) -> None:
@@ -177,6 +194,14 @@ class ChoiceField(Field):
 
     def on_edited(self, act: Callable[[], None]) -> None:
         self.widget.currentIndexChanged.connect(lambda _index: act())
+
+    def least_width(self) -> int:
+        return self._room_for(_longest(self.widget), _BUTTONS)
+
+
+def _longest(box) -> str:
+    """Of the texts of a combo box."""
+    return max((box.itemText(i) for i in range(box.count())), key=len)
 
 
 class FlagField(Field):
@@ -253,6 +278,12 @@ def label_of(entry: Setting) -> str:
     return tr(label(entry.key))
 
 
+def tooltip_of(entry: Setting) -> str:
+    """In the user's language, without the keys of jobs: "first height" for "first_height"."""
+    return re.sub(r"\b[a-z]+(_[a-z]+)+\b", lambda key: key.group().replace("_", " "),
+                  tr_doc(entry.doc))
+
+
 class SettingsForm:
     """Rows of fields that show and change the properties of one document object."""
 
@@ -261,24 +292,28 @@ class SettingsForm:
                  optional: bool = False) -> None:
         """`optional`: each row has a box to tick for a value that is given."""
         self._object, self._on_edited, self._on_refused = document_object, on_edited, on_refused
-        layout.setRowWrapPolicy(QtGui.QFormLayout.DontWrapRows)
+        layout.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         layout.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
         self._fields: List[Field] = []
         self._given: List[Optional[Any]] = []
-        for entry in entries:
-            self._add(entry, layout, optional)
+        titles = [self._add(entry, layout, optional) for entry in entries]
+        # Rows alike are laid out alike; and Qt sees whether a field fits beside the widest title.
+        widest = max((title.sizeHint().width() for title in titles), default=0)
+        for title in titles:
+            title.setMinimumWidth(widest)
         self.load()
         for field in self._fields:
             field.on_edited(self._edited)
             field.bind(document_object)
 
-    def _add(self, entry: Setting, layout, optional: bool) -> None:
+    def _add(self, entry: Setting, layout, optional: bool):
+        """Returns the row's title."""
         field = field_for(entry, self._object)
         name = f"{type(self._object.Proxy).__name__}_{entry.key}"
         field.widget.setObjectName(name)
-        field.widget.setMinimumWidth(_LEAST_WIDTH)
+        field.widget.setMinimumWidth(field.least_width())
         title = QtGui.QCheckBox(label_of(entry)) if optional else QtGui.QLabel(label_of(entry))
-        title.setToolTip(tr_doc(entry.doc))
+        title.setToolTip(tooltip_of(entry))
         if optional:
             title.setObjectName(f"{name}_given")
             title.toggled.connect(field.enable)
@@ -286,6 +321,7 @@ class SettingsForm:
         layout.addRow(title, field.widget)
         self._fields.append(field)
         self._given.append(title if optional else None)
+        return title
 
     def load(self) -> None:
         self._loading = True

@@ -126,7 +126,7 @@
     <name>AdvLayers_ColourBy</name>
     <message>
         <source>Colour by</source>
-        <translation>Färben nach</translation>
+        <translation>Einfärben nach</translation>
     </message>
     <message>
         <source>Colours the selected layer meshes, or all of the document, by one of their fields</source>
@@ -324,6 +324,10 @@
         <translation>Ein Klick zeigt die Stelle</translation>
     </message>
     <message>
+        <source>A click shows where layers end too early, or where the first height is most off</source>
+        <translation>Ein Klick zeigt, wo Schichten zu früh enden oder wo die erste Höhe am meisten abweicht</translation>
+    </message>
+    <message>
         <source>A named group of the selected faces and edges</source>
         <translation>Eine benannte Gruppe der gewählten Flächen und Kanten</translation>
     </message>
@@ -457,7 +461,7 @@
     </message>
     <message>
         <source>General</source>
-        <translation>Allgemein</translation>
+        <translation>Netz</translation>
     </message>
     <message>
         <source>Gmsh</source>
@@ -566,6 +570,10 @@
     <message>
         <source>Mesh</source>
         <translation>Vernetzen</translation>
+    </message>
+    <message>
+        <source>Meshes with the settings below; OK then puts the mesh into the document</source>
+        <translation>Vernetzt mit den Einstellungen unten; OK übernimmt das Netz danach ins Dokument</translation>
     </message>
     <message>
         <source>Name</source>
@@ -846,6 +854,10 @@
     <message>
         <source>Wavefront</source>
         <translation>Wavefront</translation>
+    </message>
+    <message>
+        <source>What the colours of the elements in the 3D view stand for</source>
+        <translation>Wofür die Farben der Elemente in der 3D-Ansicht stehen</translation>
     </message>
     <message>
         <source>a document object is needed to mesh, got {}</source>
@@ -1284,14 +1296,6 @@
         <translation>für ein solches Objekt ({}) nicht möglich: {}</translation>
     </message>
     <message>
-        <source>of {} are missing: pick faces or edges</source>
-        <translation>bei {} ist nichts gewählt: Wählen Sie Flächen oder Kanten</translation>
-    </message>
-    <message>
-        <source>of {} is needed about {}</source>
-        <translation>fehlt bei {} für die Umgebung von {}</translation>
-    </message>
-    <message>
         <source>pick a face or an edge of {}</source>
         <translation>wählen Sie eine Fläche oder Kante von {}</translation>
     </message>
@@ -1564,6 +1568,10 @@
         <translation>{} hat keine Flächenelemente: Vernetzen Sie es zuerst</translation>
     </message>
     <message>
+        <source>{} has no value for its size: give one for the surroundings of {}</source>
+        <translation>{} hat keinen Wert für die Elementgröße: Geben Sie einen an für die Umgebung von {}</translation>
+    </message>
+    <message>
         <source>{} is called {} now</source>
         <translation>{} heißt jetzt {}</translation>
     </message>
@@ -1666,6 +1674,10 @@
     <message>
         <source>{} on {} got {} of {} layers</source>
         <translation>{} auf {} erhielt {} von {} Schichten</translation>
+    </message>
+    <message>
+        <source>{} refers to nothing: pick faces or edges for it</source>
+        <translation>{} bezieht sich auf nichts: Wählen Sie Flächen oder Kanten dafür</translation>
     </message>
     <message>
         <source>{} shape</source>
@@ -1827,8 +1839,32 @@
         <translation>Ein vorhandenes Netz der Form, mit dem begonnen wird. Im Inneren der Flächen sind seine Knoten der Anfang der Triangulierung; wo es feiner ist als die Elementgröße, werden Kanten und Kern ebenso fein. Seine Schichten und seine Ordnung werden nicht übernommen.</translation>
     </message>
     <message>
+        <source>Aspect Ratio</source>
+        <translation>Seitenverhältnis</translation>
+    </message>
+    <message>
+        <source>Auto Update</source>
+        <translation>Automatisch aktualisieren</translation>
+    </message>
+    <message>
+        <source>Both Ends</source>
+        <translation>Beide Enden</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Verdichtung</translation>
+    </message>
+    <message>
         <source>Clusters towards both ends: the ratio is then that of the middle to the ends.</source>
         <translation>Verdichtet zu beiden Enden hin: das Verhältnis ist dann das der Mitte zu den Enden.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Core</source>
+        <translation>Kern</translation>
     </message>
     <message>
         <source>Corner angles from 45 to 135 degrees [%].</source>
@@ -1837,6 +1873,14 @@
     <message>
         <source>Counts and nodes of the initial mesh that the mesh was made from.</source>
         <translation>Anzahlen und Knoten des Ausgangsnetzes, aus dem das Netz entstand.</translation>
+    </message>
+    <message>
+        <source>Curvature Angle</source>
+        <translation>Krümmungswinkel</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
     </message>
     <message>
         <source>Each layer is this much higher than the one before it.</source>
@@ -1867,6 +1911,14 @@
         <translation>Gegen die Oberfläche invertierte Elemente.</translation>
     </message>
     <message>
+        <source>End Height</source>
+        <translation>Endhöhe</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
         <source>Faces that meet at an angle below this are meshed as one patch; layers run across the edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed with 20.</source>
         <translation>Flächen, die sich in einem kleineren Winkel treffen, werden als eine Teilfläche vernetzt; Schichten laufen über die Kante zwischen ihnen hinweg. Bei 0 ist jede CAD-Fläche eine Teilfläche für sich; eine STL-Datei wird mit 20 vernetzt.</translation>
     </message>
@@ -1875,11 +1927,51 @@
         <translation>Flächen, deren Kanten nicht weiter als dies voneinander liegen, werden dort vor dem Vernetzen verbunden; 0 verbindet keine. Flächen und Kanten behalten ihre Namen.</translation>
     </message>
     <message>
-        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first.</source>
+        <source>Feature Angle</source>
+        <translation>Kantenwinkel</translation>
+    </message>
+    <message>
+        <source>First Height</source>
+        <translation>Erste Höhe</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Good Angle Percent</source>
+        <translation>Gute Winkel [%]</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Group List</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Group Name</source>
+        <translation>Gruppenname</translation>
+    </message>
+    <message>
+        <source>Grow From All</source>
+        <translation>Von allen Kanten</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstumsfaktor</translation>
+    </message>
+    <message>
+        <source>Height Errors</source>
+        <translation>Höhenfehler</translation>
+    </message>
+    <message>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, those of the whole mesh stand in, and layers are worked out first.</source>
         <translation>Höhe aller Schichten zusammen. Mit zweien von erster Höhe, Wachstumsfaktor und Schichtzahl ergibt sie das dritte; sind weniger angegeben, gelten die des ganzen Netzes, und die Schichtzahl wird zuerst berechnet.</translation>
     </message>
     <message>
-        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, those of the whole mesh stand in, and layers are worked out first. 0: not given.</source>
         <translation>Höhe aller Schichten zusammen. Mit zweien von erster Höhe, Wachstumsfaktor und Schichtzahl ergibt sie das dritte; sind weniger angegeben, gelten die des ganzen Netzes, und die Schichtzahl wird zuerst berechnet. 0: nicht angegeben.</translation>
     </message>
     <message>
@@ -1899,6 +1991,10 @@
         <translation>Wie weit die Höhe jedes Elements einer Schicht von der verlangten abweicht, bezogen auf diese; NaN für den Kern.</translation>
     </message>
     <message>
+        <source>Initial Mesh</source>
+        <translation>Ausgangsnetz</translation>
+    </message>
+    <message>
         <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight.</source>
         <translation>Statt der ersten Höhe: der Winkel, um den sich die Wand über die Länge einer ersten Höhe dreht; wo die Wand gerade ist, ist die Höhe die Elementgröße.</translation>
     </message>
@@ -1915,12 +2011,60 @@
         <translation>Statt der ersten Höhe: das Verhältnis der Netzkantenlänge entlang der Wand zur ersten Höhe, überall. 0: nicht angegeben.</translation>
     </message>
     <message>
+        <source>Inverted Count</source>
+        <translation>Invertierte Elemente</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
         <source>Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise.</source>
         <translation>Schichten wachsen von jeder Randkante, solange keine Wand des Netzes anderes sagt.</translation>
     </message>
     <message>
+        <source>Max Angle</source>
+        <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>Mesh Id</source>
+        <translation>Netzkennung</translation>
+    </message>
+    <message>
+        <source>Meshed Initial Mesh</source>
+        <translation>Vernetztes Ausgangsnetz</translation>
+    </message>
+    <message>
+        <source>Meshed Settings</source>
+        <translation>Vernetzte Einstellungen</translation>
+    </message>
+    <message>
+        <source>Meshed Shape</source>
+        <translation>Vernetzte Form</translation>
+    </message>
+    <message>
         <source>Meshes again whenever a recompute finds the mesh out of date.</source>
         <translation>Vernetzt neu, sooft eine Neuberechnung das Netz veraltet findet.</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Min Angle</source>
+        <translation>Kleinster Winkel</translation>
+    </message>
+    <message>
+        <source>Node Count</source>
+        <translation>Knotenzahl</translation>
+    </message>
+    <message>
+        <source>Node Layers</source>
+        <translation>Schichten der Knoten</translation>
+    </message>
+    <message>
+        <source>Node Parents</source>
+        <translation>Eltern der Knoten</translation>
     </message>
     <message>
         <source>Nodes of the mesh.</source>
@@ -1947,12 +2091,28 @@
         <translation>Zahl der Schichten dieser Wand; bei 0 wachsen sie, bis die Fronten sich schließen. -1: nicht angegeben.</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Picked</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
         <source>Points about which the mesh is finer; as a property, texts of five numbers: x y z size radius.</source>
         <translation>Punkte, um die das Netz feiner ist; als Eigenschaft Texte aus fünf Zahlen: x y z Größe Radius.</translation>
     </message>
     <message>
         <source>Points of the shape that was meshed.</source>
         <translation>Punkte der vernetzten Form.</translation>
+    </message>
+    <message>
+        <source>Quad Count</source>
+        <translation>Zahl der Vierecke</translation>
+    </message>
+    <message>
+        <source>Quad Percent</source>
+        <translation>Vierecke [%]</translation>
     </message>
     <message>
         <source>Quads among all elements [%].</source>
@@ -1963,12 +2123,56 @@
         <translation>Vierecke des Netzes.</translation>
     </message>
     <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
         <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps.</source>
         <translation>Verhältnis der letzten Netzkante entlang einer CAD-Kante zur ersten, in geometrischen Schritten.</translation>
     </message>
     <message>
         <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps. 0: not given.</source>
         <translation>Verhältnis der letzten Netzkante entlang einer CAD-Kante zur ersten, in geometrischen Schritten. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Referenzen</translation>
+    </message>
+    <message>
+        <source>Refinements</source>
+        <translation>Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführung</translation>
+    </message>
+    <message>
+        <source>Schema Version</source>
+        <translation>Schemafassung</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>Sew Tolerance</source>
+        <translation>Nähtoleranz</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size Growth</source>
+        <translation>Größenwachstum</translation>
+    </message>
+    <message>
+        <source>Size List</source>
+        <translation>Größen</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Tells this mesh from the ones before it.</source>
@@ -2063,12 +2267,36 @@
         <translation>Die Art, in der das Objekt seine Daten ablegt.</translation>
     </message>
     <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
         <source>Threads to mesh with; 0 uses all processors. The mesh does not depend on it.</source>
         <translation>Threads für die Vernetzung; 0 nutzt alle Prozessoren. Das Netz hängt nicht davon ab.</translation>
     </message>
     <message>
+        <source>Triangle Count</source>
+        <translation>Zahl der Dreiecke</translation>
+    </message>
+    <message>
         <source>Triangles of the mesh.</source>
         <translation>Dreiecke des Netzes.</translation>
+    </message>
+    <message>
+        <source>Turning Angle</source>
+        <translation>Drehwinkel</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Wall List</source>
+        <translation>Wände</translation>
     </message>
     <message>
         <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>

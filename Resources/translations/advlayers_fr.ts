@@ -324,6 +324,10 @@
         <translation>Un clic montre l'endroit</translation>
     </message>
     <message>
+        <source>A click shows where layers end too early, or where the first height is most off</source>
+        <translation>Un clic montre où des couches finissent trop tôt, ou bien où la première hauteur s'écarte le plus</translation>
+    </message>
+    <message>
         <source>A named group of the selected faces and edges</source>
         <translation>Un groupe nommé des faces et arêtes sélectionnées</translation>
     </message>
@@ -566,6 +570,10 @@
     <message>
         <source>Mesh</source>
         <translation>Mailler</translation>
+    </message>
+    <message>
+        <source>Meshes with the settings below; OK then puts the mesh into the document</source>
+        <translation>Maille avec les réglages ci-dessous ; OK met ensuite le maillage dans le document</translation>
     </message>
     <message>
         <source>Name</source>
@@ -846,6 +854,10 @@
     <message>
         <source>Wavefront</source>
         <translation>Wavefront</translation>
+    </message>
+    <message>
+        <source>What the colours of the elements in the 3D view stand for</source>
+        <translation>Ce que signifient les couleurs des éléments dans la vue 3D</translation>
     </message>
     <message>
         <source>a document object is needed to mesh, got {}</source>
@@ -1284,14 +1296,6 @@
         <translation>impossible pour un tel objet ({}) : {}</translation>
     </message>
     <message>
-        <source>of {} are missing: pick faces or edges</source>
-        <translation>rien n'est choisi pour {} : choisissez des faces ou des arêtes</translation>
-    </message>
-    <message>
-        <source>of {} is needed about {}</source>
-        <translation>manque à {} pour les environs de {}</translation>
-    </message>
-    <message>
         <source>pick a face or an edge of {}</source>
         <translation>choisissez une face ou une arête de {}</translation>
     </message>
@@ -1564,6 +1568,10 @@
         <translation>{} n'a pas d'éléments de surface : maillez-le d'abord</translation>
     </message>
     <message>
+        <source>{} has no value for its size: give one for the surroundings of {}</source>
+        <translation>{} n'a pas de valeur pour la taille : donnez-en une pour les environs de {}</translation>
+    </message>
+    <message>
         <source>{} is called {} now</source>
         <translation>{} s'appelle maintenant {}</translation>
     </message>
@@ -1666,6 +1674,10 @@
     <message>
         <source>{} on {} got {} of {} layers</source>
         <translation>{} sur {} a reçu {} couches sur {}</translation>
+    </message>
+    <message>
+        <source>{} refers to nothing: pick faces or edges for it</source>
+        <translation>{} ne se rapporte à rien : choisissez-lui des faces ou des arêtes</translation>
     </message>
     <message>
         <source>{} shape</source>
@@ -1827,8 +1839,32 @@
         <translation>Un maillage existant de la forme, d'où partir. À l'intérieur des faces, ses nœuds sont le départ de la triangulation ; là où il est plus fin que la taille, les arêtes et le cœur le deviennent aussi. Ses couches et son ordre ne sont pas repris.</translation>
     </message>
     <message>
+        <source>Aspect Ratio</source>
+        <translation>Rapport d'aspect</translation>
+    </message>
+    <message>
+        <source>Auto Update</source>
+        <translation>Mise à jour automatique</translation>
+    </message>
+    <message>
+        <source>Both Ends</source>
+        <translation>Deux bouts</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Resserrement</translation>
+    </message>
+    <message>
         <source>Clusters towards both ends: the ratio is then that of the middle to the ends.</source>
         <translation>Resserre vers les deux bouts : le rapport est alors celui du milieu aux bouts.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Core</source>
+        <translation>Cœur</translation>
     </message>
     <message>
         <source>Corner angles from 45 to 135 degrees [%].</source>
@@ -1837,6 +1873,14 @@
     <message>
         <source>Counts and nodes of the initial mesh that the mesh was made from.</source>
         <translation>Nombres et nœuds du maillage initial dont le maillage est issu.</translation>
+    </message>
+    <message>
+        <source>Curvature Angle</source>
+        <translation>Angle de courbure</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
     </message>
     <message>
         <source>Each layer is this much higher than the one before it.</source>
@@ -1867,6 +1911,14 @@
         <translation>Éléments inversés par rapport à la surface.</translation>
     </message>
     <message>
+        <source>End Height</source>
+        <translation>Hauteur finale</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
         <source>Faces that meet at an angle below this are meshed as one patch; layers run across the edge between them. 0 makes every CAD face a patch of its own; an STL file is meshed with 20.</source>
         <translation>Les faces qui se rencontrent sous un angle plus petit sont maillées d'un seul tenant ; les couches traversent l'arête entre elles. Avec 0, chaque face CAO est maillée pour elle-même ; un fichier STL est maillé avec 20.</translation>
     </message>
@@ -1875,11 +1927,51 @@
         <translation>Les faces dont les arêtes sont à cette distance au plus l’une de l’autre y sont jointes avant le maillage ; 0 n’en joint aucune. Faces et arêtes gardent leurs noms.</translation>
     </message>
     <message>
-        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first.</source>
+        <source>Feature Angle</source>
+        <translation>Angle d'arête vive</translation>
+    </message>
+    <message>
+        <source>First Height</source>
+        <translation>Première hauteur</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Géométrie</translation>
+    </message>
+    <message>
+        <source>Good Angle Percent</source>
+        <translation>Bons angles [%]</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Group List</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>Group Name</source>
+        <translation>Nom du groupe</translation>
+    </message>
+    <message>
+        <source>Grow From All</source>
+        <translation>Depuis toutes les arêtes</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Height Errors</source>
+        <translation>Erreurs de hauteur</translation>
+    </message>
+    <message>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, those of the whole mesh stand in, and layers are worked out first.</source>
         <translation>Hauteur de toutes les couches ensemble. Avec deux données parmi la première hauteur, la croissance et le nombre de couches, elle donne la troisième ; s'il y en a moins, celles de tout le maillage les remplacent, et le nombre de couches est calculé d'abord.</translation>
     </message>
     <message>
-        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, the job's stand in, and layers are worked out first. 0: not given.</source>
+        <source>Height of all layers together. With two of first_height, growth and layers it gives the third; where fewer are given, those of the whole mesh stand in, and layers are worked out first. 0: not given.</source>
         <translation>Hauteur de toutes les couches ensemble. Avec deux données parmi la première hauteur, la croissance et le nombre de couches, elle donne la troisième ; s'il y en a moins, celles de tout le maillage les remplacent, et le nombre de couches est calculé d'abord. 0 : non précisé.</translation>
     </message>
     <message>
@@ -1899,6 +1991,10 @@
         <translation>Écart de la hauteur de chaque élément d'une couche à celle demandée, rapporté à celle-ci ; NaN pour le cœur.</translation>
     </message>
     <message>
+        <source>Initial Mesh</source>
+        <translation>Maillage initial</translation>
+    </message>
+    <message>
         <source>Instead of first_height: the angle that the wall turns over a length of one first height; the height is size where the wall is straight.</source>
         <translation>Au lieu de la première hauteur : l'angle dont la paroi tourne sur la longueur d'une première hauteur ; où la paroi est droite, la hauteur est la taille.</translation>
     </message>
@@ -1915,12 +2011,60 @@
         <translation>Au lieu de la première hauteur : la longueur des arêtes du maillage le long de la paroi divisée par la première hauteur, partout. 0 : non précisé.</translation>
     </message>
     <message>
+        <source>Inverted Count</source>
+        <translation>Éléments inversés</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
         <source>Layers grow from every boundary edge, as long as no Wall of the mesh says otherwise.</source>
         <translation>Les couches croissent depuis chaque arête de bord, tant qu'aucune paroi du maillage ne dit autre chose.</translation>
     </message>
     <message>
+        <source>Max Angle</source>
+        <translation>Angle maximal</translation>
+    </message>
+    <message>
+        <source>Mesh Id</source>
+        <translation>Identifiant du maillage</translation>
+    </message>
+    <message>
+        <source>Meshed Initial Mesh</source>
+        <translation>Maillage initial employé</translation>
+    </message>
+    <message>
+        <source>Meshed Settings</source>
+        <translation>Réglages employés</translation>
+    </message>
+    <message>
+        <source>Meshed Shape</source>
+        <translation>Forme maillée</translation>
+    </message>
+    <message>
         <source>Meshes again whenever a recompute finds the mesh out of date.</source>
         <translation>Remaille chaque fois qu'un recalcul trouve le maillage obsolète.</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Min Angle</source>
+        <translation>Angle minimal</translation>
+    </message>
+    <message>
+        <source>Node Count</source>
+        <translation>Nombre de nœuds</translation>
+    </message>
+    <message>
+        <source>Node Layers</source>
+        <translation>Couches des nœuds</translation>
+    </message>
+    <message>
+        <source>Node Parents</source>
+        <translation>Parents des nœuds</translation>
     </message>
     <message>
         <source>Nodes of the mesh.</source>
@@ -1947,12 +2091,28 @@
         <translation>Nombre de couches de cette paroi ; avec 0, elles croissent jusqu'à ce que les fronts se ferment. -1 : non précisé.</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Picked</source>
+        <translation>Choisi</translation>
+    </message>
+    <message>
         <source>Points about which the mesh is finer; as a property, texts of five numbers: x y z size radius.</source>
         <translation>Points autour desquels le maillage est plus fin ; comme propriété, des textes de cinq nombres : x y z taille rayon.</translation>
     </message>
     <message>
         <source>Points of the shape that was meshed.</source>
         <translation>Points de la forme maillée.</translation>
+    </message>
+    <message>
+        <source>Quad Count</source>
+        <translation>Nombre de quadrangles</translation>
+    </message>
+    <message>
+        <source>Quad Percent</source>
+        <translation>Quadrangles [%]</translation>
     </message>
     <message>
         <source>Quads among all elements [%].</source>
@@ -1963,12 +2123,56 @@
         <translation>Quadrangles du maillage.</translation>
     </message>
     <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
         <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps.</source>
         <translation>Rapport de la dernière arête du maillage le long d'une arête CAO à la première, par pas géométriques.</translation>
     </message>
     <message>
         <source>Ratio of the last mesh edge along a CAD edge to the first, in geometric steps. 0: not given.</source>
         <translation>Rapport de la dernière arête du maillage le long d'une arête CAO à la première, par pas géométriques. 0 : non précisé.</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Références</translation>
+    </message>
+    <message>
+        <source>Refinements</source>
+        <translation>Raffinements</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Schema Version</source>
+        <translation>Version du schéma</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segments</translation>
+    </message>
+    <message>
+        <source>Sew Tolerance</source>
+        <translation>Tolérance de couture</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Size Growth</source>
+        <translation>Progression des tailles</translation>
+    </message>
+    <message>
+        <source>Size List</source>
+        <translation>Tailles</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
     </message>
     <message>
         <source>Tells this mesh from the ones before it.</source>
@@ -2063,12 +2267,36 @@
         <translation>La façon dont l'objet conserve ses données.</translation>
     </message>
     <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Fils d'exécution</translation>
+    </message>
+    <message>
         <source>Threads to mesh with; 0 uses all processors. The mesh does not depend on it.</source>
         <translation>Fils d'exécution pour mailler ; 0 utilise tous les processeurs. Le maillage n'en dépend pas.</translation>
     </message>
     <message>
+        <source>Triangle Count</source>
+        <translation>Nombre de triangles</translation>
+    </message>
+    <message>
         <source>Triangles of the mesh.</source>
         <translation>Triangles du maillage.</translation>
+    </message>
+    <message>
+        <source>Turning Angle</source>
+        <translation>Angle de rotation</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Paroi</translation>
+    </message>
+    <message>
+        <source>Wall List</source>
+        <translation>Parois</translation>
     </message>
     <message>
         <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>

@@ -4,8 +4,8 @@ import FreeCAD
 import pytest
 from advlayers import controls, layer_mesh
 from advlayers.errors import InputError
-from advlayers.properties import property_name
-from advlayers.settings_table import SIZE_SETTINGS, WALL_SETTINGS, optional_doc, unset_value
+from advlayers.settings_table import (
+    SIZE_SETTINGS, WALL_SETTINGS, optional_doc, property_name, unset_value)
 
 
 @pytest.fixture
@@ -151,7 +151,7 @@ def test_sizes_of_faces_edges_and_vertices(box, mesh):
              for i in mesh.FemMesh.Groups if mesh.FemMesh.getGroupElementType(i) == "Node"}
     assert nodes["Edge1"] == 8 and nodes["Edge5"] >= 1 + box.Shape.Edges[4].Length / 2
     corner.Size = 0
-    with pytest.raises(InputError, match="is needed about Vertex1"):
+    with pytest.raises(InputError, match="surroundings of Vertex1"):
         layer_mesh.settings_of(mesh)
 
 

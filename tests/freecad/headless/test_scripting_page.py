@@ -1,15 +1,20 @@
-"""The page on scripting says what is so: its code runs, from top to bottom."""
+"""The page on scripting and the README say what is so: their code runs, from top to bottom."""
 import os
 import re
 
 import FreeCAD
 
-PAGE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "docs", "python.md")
+ROOT = os.path.join(os.path.dirname(__file__), "..", "..", "..")
+PAGE, README = os.path.join(ROOT, "docs", "python.md"), os.path.join(ROOT, "README.md")
+
+
+def code_of(page):
+    with open(page, encoding="utf-8") as file:
+        return re.findall(r"```python\n(.*?)```", file.read(), re.DOTALL)
 
 
 def test_the_code_of_the_page_runs(capsys):
-    with open(PAGE, encoding="utf-8") as file:
-        blocks = re.findall(r"```python\n(.*?)```", file.read(), re.DOTALL)
+    blocks = code_of(PAGE)
     assert len(blocks) >= 5
     names = {}
     try:
@@ -22,3 +27,14 @@ def test_the_code_of_the_page_runs(capsys):
         assert len(names["result"].quads) > 0
     finally:
         FreeCAD.closeDocument("Duct")
+
+
+def test_the_console_code_of_the_readme_runs(capsys):
+    code = next(block for block in code_of(README) if "make_layer_mesh" in block)
+    names = {}
+    try:
+        exec(compile(code, README, "exec"), names)
+        assert "Up to date []" in capsys.readouterr().out
+        assert names["mesh"].QuadPercent > 95
+    finally:
+        FreeCAD.closeDocument(names["doc"].Name)
