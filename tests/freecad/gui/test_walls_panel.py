@@ -57,7 +57,7 @@ def test_a_size_about_a_vertex(mesh, box):
     click("AdvLayersAddWall")
     assert "a Wall cannot hold Vertex3" in status() and mesh.WallList == []
     click("AdvLayersAddSize")
-    assert "needed about Vertex3" in status()
+    assert "surroundings of Vertex3" in status()
     child(QtGui.QCheckBox, "Size_size_given").setChecked(True)
     child(QtGui.QWidget, "Size_size").setProperty("rawValue", 0.5)
     child(QtGui.QCheckBox, "Size_radius_given").setChecked(True)
