@@ -4,12 +4,13 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import Any, Callable, Dict
+from typing import Any, Callable, Dict, Generator, List, TypeVar
 
 import numpy as np
 
 _GROUP = re.compile(r"(Layer|Face|Edge)([0-9]+)")
 _BLOCK = 10_000  # elements
+_Result = TypeVar("_Result")
 
 
 @dataclass(frozen=True)
@@ -43,14 +44,26 @@ def of_core(mesh) -> ElementMesh:
 
 def of_fem(fem) -> ElementMesh:
     """Of a Fem.FemMesh that this add-on made; its groups tell layers, faces and edges."""
+    return finish(reading(fem))
+
+
+def reading(fem) -> Generator[None, None, ElementMesh]:
+    """of_fem() in steps of some 20 ms; a mesh of 100 000 nodes takes one longer step."""
     nodes = fem.Nodes
     ids = np.fromiter(nodes.keys(), np.int64, len(nodes))
-    points = np.fromiter(chain.from_iterable(nodes.values()), float, 3 * len(nodes))
     index = np.zeros(int(ids.max(initial=0)) + 1, np.int64)
     index[ids] = np.arange(len(ids))
-    cells = list(map(fem.getElementNodes, fem.Faces))
+    yield
+    points = np.fromiter(chain.from_iterable(nodes.values()), float, 3 * len(nodes))
+    yield
+    faces = fem.Faces
+    cells: List[Any] = []
+    for start in range(0, len(faces), _BLOCK):
+        cells += map(fem.getElementNodes, faces[start:start + _BLOCK])
+        yield
     quads = _corners([cell for cell in cells if len(cell) == 4], 4)
     triangles = _corners([cell for cell in cells if len(cell) == 3], 3)
+    yield
     numbers = {"Layer": np.zeros(len(cells), np.int32), "Face": np.zeros(len(cells), np.int32)}
     edge_nodes = {}
     for group in fem.Groups:
@@ -63,8 +76,18 @@ def of_fem(fem) -> ElementMesh:
             edge_nodes[number] = index[members]
         else:
             numbers[kind][members - 1] = number
+        yield
     return ElementMesh(points.reshape(-1, 3), index[quads], index[triangles],
                        numbers["Layer"], numbers["Face"], edge_nodes)
+
+
+def finish(steps: Generator[None, None, _Result]) -> _Result:
+    """Makes all steps at once."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            return end.value
 
 
 def _corners(cells, corners: int):

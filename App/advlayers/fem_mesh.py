@@ -34,3 +34,17 @@ def to_fem_mesh(mesh, named: Mapping[str, Sequence[str]],
         index = fem.addGroup(group.name, "Node" if group.of_nodes else "Face")
         fem.addGroupElements(index, group.ids.tolist())
     return fem
+
+
+def empty():
+    import Fem
+
+    return Fem.FemMesh()
+
+
+def compact(fem):
+    """The same mesh in half of the memory: FreeCAD logs every node and element that is added one
+    by one, but not those of a copy."""
+    import Fem
+
+    return Fem.FemMesh(fem)

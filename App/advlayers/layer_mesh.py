@@ -20,10 +20,10 @@ from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.language import tr
 from advlayers.mesh_data import MeshData
-from advlayers.mesh_properties import add_properties, property_settings
+from advlayers.mesh_properties import add_properties, clear_results, property_settings
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import from_property, plain_values, to_property
-from advlayers.proxy import Stateless, attach_view, prepare_view, show_mesh
+from advlayers.proxy import Stateless, attach_view, draw_view, prepare_view, show_mesh
 from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.sentence import Sentence, listed
 from advlayers.settings_check import check_all, check_names
@@ -32,9 +32,14 @@ from advlayers.settings_table import MESH_SETTINGS, property_name
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = "Not meshed", "Up to date", "Out of date"
 LOST_REFERENCES = "Lost references"
 
+
+def _unwatched(_reports: List[Any]) -> None:
+    """For a script."""
+
+
 # What update() calls on the way where it is given no watch: a window shows its progress by it.
 window_watch: ContextVar[Callable[[List[Any]], None]] = ContextVar(
-    "window_watch", default=lambda _reports: None)
+    "window_watch", default=_unwatched)
 
 
 class LayerMesh(Stateless):
@@ -47,7 +52,7 @@ class LayerMesh(Stateless):
         document_object.Proxy = self
         add_properties(document_object)
         document_object.SchemaVersion = migrations.CURRENT
-        mesh_history.watch(document_object)
+        mesh_history.watch(document_object, _mesh_is_lost)
 
     def onChanged(self, document_object, name: str) -> None:
         if document_object.Document.Restoring:
@@ -65,7 +70,7 @@ class LayerMesh(Stateless):
         add_properties(document_object)
         migrations.migrate(document_object)
         controls.own_children(document_object)
-        mesh_history.watch(document_object)
+        mesh_history.watch(document_object, _mesh_is_lost)
         attach_view(document_object)
 
 
@@ -132,7 +137,7 @@ class Task:
         return core.Mesher(model, core_settings(core, settings, model.diagonal))
 
     def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):
-        return fem_mesh.to_fem_mesh(mesh, self.groups, check)
+        return fem_mesh.compact(fem_mesh.to_fem_mesh(mesh, self.groups, check))
 
 
 def prepare(document_object) -> Task:
@@ -163,6 +168,8 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
               on_mesh=lambda mesh, check: (mesh, task.make_fem_mesh(mesh, check)))
     mesh, fem = run.finish(watch or window_watch.get())
     set_mesh(document_object, mesh, fem, task.made_from)
+    if window_watch.get() is _unwatched:
+        draw_view(document_object)  # a script may look at the view next
 
 
 def _update_by_itself(document_object) -> None:
@@ -206,6 +213,16 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom,
     refresh_state(document_object)
     if document_object.State == UP_TO_DATE:  # else the model was edited meanwhile
         accept_references(document_object)
+
+
+def _mesh_is_lost(document_object) -> None:
+    """Undo or redo has brought back the results of a mesh that is not kept any more."""
+    clear_results(document_object)
+    mesh_history.store(document_object, fem_mesh.empty())
+    refresh_state(document_object)
+    FreeCAD.Console.PrintWarning(tr(
+        "{}: the mesh of this step is not kept any more: update it.").format(
+            document_object.Label) + "\n")
 
 
 def settings_of(document_object) -> Dict[str, Any]:

@@ -3,12 +3,12 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Tuple
+from typing import Any, Callable, Dict, Generator, List, Mapping, Tuple
 
 import numpy as np
 
 from advlayers import element_mesh
-from advlayers.element_mesh import ElementMesh
+from advlayers.element_mesh import ElementMesh, finish
 from advlayers.layer_heights import height_errors
 from advlayers.report import make_report
 
@@ -130,9 +130,17 @@ def remember(mesh_object, data: MeshData) -> None:
 
 def of_object(mesh_object) -> MeshData:
     """What a mesh object in a document holds."""
+    return finish(reading(mesh_object))
+
+
+def reading(mesh_object) -> Generator[None, None, MeshData]:
+    """The same in steps of some 20 ms, for a window."""
     name, data = getattr(mesh_object.Proxy, "latest", ("", None))
     if data is not None and (name, data.mesh.count) == (
             mesh_object.MeshId, mesh_object.FemMesh.FaceCount):
         return data
+    mesh = yield from element_mesh.reading(mesh_object.FemMesh)
     report = json.loads(mesh_object.Details) if mesh_object.Details else {}
-    return MeshData(element_mesh.of_fem(mesh_object.FemMesh), mesh_object.HeightErrors, report)
+    data = MeshData(mesh, mesh_object.HeightErrors, report)
+    remember(mesh_object, data)
+    return data

@@ -7,13 +7,20 @@ once FreeCAD is done, an object whose id is not that of its mesh is given the me
 from __future__ import annotations
 
 import uuid
-from typing import Any, Dict, List, Tuple
+from typing import Any, Callable, Dict, List, Tuple
 
 import FreeCAD
 
+from advlayers.fem_mesh import compact
+from advlayers.proxy import redraw_view
+
 _Key = Tuple[str, str]  # names of document and object
 
-_others: Dict[_Key, Dict[str, Any]] = {}  # id to FemMesh that the object held, oldest first
+# What the kept meshes may take, in all documents together, and what each node and each element of
+# a mesh takes, measured with 200 000 of them [bytes].
+_MOST, _OF_ENTITY = 2**30, 170
+
+_kept: Dict[Tuple[_Key, str], Any] = {}  # object and id to FemMesh that it held, oldest first
 _held: Dict[_Key, str] = {}  # the id of the mesh that the object holds
 # That mesh as it was given. FreeCAD has made a copy of it; another one would keep the window
 # waiting. Missing for a restored object.
@@ -21,26 +28,24 @@ _given: Dict[_Key, Any] = {}
 _observers: List[Any] = []
 
 
-def watch(document_object) -> None:
-    """Takes note of the mesh that a new or restored object holds."""
+def watch(document_object, on_lost: Callable[[Any], None]) -> None:
+    """Takes note of the mesh that a new or restored object holds. `on_lost` is called with the
+    object when an undo or a redo leads to a mesh that is not kept any more."""
     if not _observers:
-        _observers.append(_Observer())
+        _observers.append(_Observer(on_lost))
         FreeCAD.addDocumentObserver(_observers[0])
     key = _key(document_object)
-    _others[key] = {}
+    _forget(key)
     _held[key] = document_object.MeshId
-    _given.pop(key, None)
 
 
 def store(document_object, fem) -> None:
-    """Gives the object a new mesh."""
+    """Gives the object a new mesh. A window shows it in the next turn of its event loop."""
     document = document_object.Document
     if document.UndoMode:
         _keep(document_object)
-        kept = _others[_key(document_object)]
         # No undo or redo goes back further; one for the transaction under way.
-        while len(kept) > document.UndoCount + document.RedoCount + 1:
-            del kept[next(iter(kept))]
+        _trim(_key(document_object), document.UndoCount + document.RedoCount + 1)
     _give(document_object, fem, uuid.uuid4().hex)
     document_object.MeshId = _held[_key(document_object)]
 
@@ -48,44 +53,83 @@ def store(document_object, fem) -> None:
 def _keep(document_object) -> None:
     key = _key(document_object)
     given = _given.pop(key, None)
-    _others[key][_held[key]] = document_object.FemMesh.copy() if given is None else given
+    _kept[key, _held[key]] = compact(document_object.FemMesh) if given is None else given
+
+
+def _trim(key: _Key, count: int) -> None:
+    """Lets the oldest meshes go: those of the object beyond the count, and those of any beyond what
+    all may take, but for the newest, which a cancelled transaction brings back."""
+    own = [entry for entry in _kept if entry[0] == key]
+    for entry in own[:max(len(own) - count, 0)]:
+        del _kept[entry]
+    while len(_kept) > 1 and sum(map(_size, _kept.values())) > _MOST:
+        del _kept[next(iter(_kept))]
+
+
+def _size(fem) -> int:
+    return _OF_ENTITY * (fem.NodeCount + fem.FaceCount)
 
 
 def _give(document_object, fem, name: str) -> None:
-    document_object.FemMesh = fem
+    _fill(document_object, fem)
     _held[_key(document_object)] = name
     if document_object.Document.UndoMode:
         _given[_key(document_object)] = fem
+
+
+def _fill(document_object, fem) -> None:
+    """An assignment copies the mesh and draws it in one step, and a window waits for both. Called
+    once more, the constructor of the mesh that the object holds copies alone."""
+    try:
+        document_object.FemMesh.__init__(fem)
+    except ReferenceError:  # as FreeCAD answers other changes of that mesh
+        document_object.FemMesh = fem
+    else:
+        redraw_view(document_object)
 
 
 def _key(document_object) -> _Key:
     return document_object.Document.Name, document_object.Name
 
 
-def _bring_back(document) -> None:
-    for key, held in list(_held.items()):
-        document_object = document.getObject(key[1]) if key[0] == document.Name else None
-        if document_object is not None and document_object.MeshId != held:
-            fem = _others[key].pop(document_object.MeshId, None)
-            if fem is not None:
-                _keep(document_object)
-                _give(document_object, fem, document_object.MeshId)
-                document_object.purgeTouched()
+def _forget(key: _Key) -> None:
+    for entry in [entry for entry in _kept if entry[0] == key]:
+        del _kept[entry]
+    _given.pop(key, None)
 
 
 class _Observer:
     """FreeCAD calls these once a transaction has been undone, redone or given up."""
 
+    def __init__(self, on_lost: Callable[[Any], None]) -> None:
+        self._on_lost = on_lost
+
     def slotUndoDocument(self, document) -> None:
-        _bring_back(document)
+        self._bring_back(document)
 
     def slotRedoDocument(self, document) -> None:
-        _bring_back(document)
+        self._bring_back(document)
 
     def slotAbortTransaction(self, document) -> None:
-        _bring_back(document)
+        self._bring_back(document)
 
     def slotDeletedDocument(self, document) -> None:
         for key in [key for key in _held if key[0] == document.Name]:
-            del _held[key], _others[key]
-            _given.pop(key, None)
+            _forget(key)
+            del _held[key]
+
+    def _bring_back(self, document) -> None:
+        for key, held in list(_held.items()):
+            document_object = document.getObject(key[1]) if key[0] == document.Name else None
+            if document_object is not None and document_object.MeshId != held:
+                self._exchange(document_object)
+
+    def _exchange(self, document_object) -> None:
+        name = document_object.MeshId
+        fem = _kept.pop((_key(document_object), name), None)
+        if fem is None:
+            self._on_lost(document_object)
+            return
+        _keep(document_object)
+        _give(document_object, fem, name)
+        document_object.purgeTouched()

@@ -42,10 +42,14 @@ _HIDDEN_RESULTS = (
     ("MeshedShape", "App::PropertyFloatList", "Points of the shape that was meshed."),
     ("MeshedInitialMesh", "App::PropertyFloatList",
      "Counts and nodes of the initial mesh that the mesh was made from."),
+)
+_KEPT = (
     ("MeshId", "App::PropertyString", "Tells this mesh from the ones before it."),
     ("Picked", "App::PropertyStringList", "What the faces looked like when they were picked."),
     ("SchemaVersion", "App::PropertyInteger", "The way in which the object keeps its data."),
 )
+_UNSET = {"App::PropertyString": "", "App::PropertyInteger": 0, "App::PropertyFloat": 0.0,
+          "App::PropertyAngle": 0.0, "App::PropertyStringList": [], "App::PropertyFloatList": []}
 
 
 def property_settings() -> List[Setting]:
@@ -65,8 +69,14 @@ def add_properties(document_object) -> None:
             document_object.addProperty(kind, name, group, doc)
     if "GrowFromAll" not in present:
         document_object.GrowFromAll = True
-    for mode, results in ((READ_ONLY, _RESULTS), (HIDDEN, _HIDDEN_RESULTS)):
+    for mode, results in ((READ_ONLY, _RESULTS), (HIDDEN, _HIDDEN_RESULTS + _KEPT)):
         for name, kind, doc in results:
             if name not in present:
                 document_object.addProperty(kind, name, "Result", doc)
             document_object.setEditorMode(name, mode)
+
+
+def clear_results(document_object) -> None:
+    """There is no mesh."""
+    for name, kind, _doc in _RESULTS + _HIDDEN_RESULTS:
+        setattr(document_object, name, _UNSET[kind])

@@ -46,3 +46,15 @@ def prepare_view(document_object) -> None:
         from advlayers_gui import view_provider
 
         view_provider.keep_all_faces(document_object)
+
+
+def redraw_view(document_object) -> None:
+    """In the next turn of the event loop: the mesh was changed without FreeCAD's notice."""
+    if FreeCAD.GuiUp:
+        document_object.ViewObject.Proxy.redraw()
+
+
+def draw_view(document_object) -> None:
+    """At once, if that is still to be done."""
+    if FreeCAD.GuiUp:
+        document_object.ViewObject.Proxy.draw()

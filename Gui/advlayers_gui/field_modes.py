@@ -6,13 +6,14 @@ proportion, and piece by piece.
 from __future__ import annotations
 
 import contextlib
-from typing import Optional
+from typing import Generator, Optional
 
 from PySide import QtCore
 
 from advlayers import mesh_data
 from advlayers.mesh_data import FIELDS, MeshData
 from advlayers_gui.field_scene import FieldScene
+from advlayers_gui.turns import Turns
 
 
 class FieldModes:
@@ -22,6 +23,7 @@ class FieldModes:
         self._object = view_object.Object
         self._scene = FieldScene()
         self._data: Optional[MeshData] = None
+        self._reading = Turns()
         self._shown = ""
         self._redraw = QtCore.QTimer()
         self._redraw.setSingleShot(True)
@@ -37,26 +39,32 @@ class FieldModes:
     @property
     def busy(self) -> bool:
         """Whether some of them are still to be shown."""
-        return self._scene.busy or self._redraw.isActive()
+        return self._scene.busy or self._reading.busy or self._redraw.isActive()
 
     def show(self, mode: str) -> None:
         """Another mode of the view: FreeCAD's own ones need nothing of this scene."""
         self._shown = mode if mode in FIELDS else ""
         if not self._shown:
             return
-        if self._data is None:
-            self._data = mesh_data.of_object(self._object)
-        self._scene.show(self._data, mode)
+        if self._data is not None:
+            self._scene.show(self._data, mode)
+        elif not self._reading.busy:
+            self._reading.start(self._read())
 
     def forget(self) -> None:
         """The object has another mesh. It is drawn once the change is complete: the properties
         that go with the mesh are set one after the other."""
         self._data = None
+        self._reading.stop()
         if self._shown:
             self._redraw.start()
 
     def _draw_again(self) -> None:
+        self.show(self._shown)
+
+    def _read(self) -> Generator[None, None, None]:
         with contextlib.suppress(ReferenceError):  # its document was closed meanwhile
+            self._data = yield from mesh_data.reading(self._object)
             self.show(self._shown)
 
 
@@ -77,5 +85,5 @@ class FieldView:
         return mode
 
     def updateData(self, _mesh_object, name: str) -> None:
-        if self.modes is not None and name in ("FemMesh", "HeightErrors", "Details"):
+        if self.modes is not None and name in ("FemMesh", "MeshId", "HeightErrors", "Details"):
             self.modes.forget()

@@ -2,17 +2,16 @@
 window waiting."""
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
-from typing import Any, Iterator, List, Optional
+from typing import Any, Generator, Iterator, List
 
 import numpy as np
 from pivy import coin
-from PySide import QtCore
+
+from advlayers_gui.turns import Turns
 
 # Elements that are handed over at once: some 30 ms for the arrays, and as much for the picture.
 PIECE = 20000
-_TURN = 0.03  # [s] spent on pieces before the event loop has its turn
 # Beside the viewer's own light, so that no side of the model is black.
 _LIGHTS = (((0.2, 0.3, 1.0), 0.12), ((1.0, 0.6, 0.0), 0.10))
 _LINE_COLOUR = (0.10, 0.12, 0.16)
@@ -110,11 +109,7 @@ class MeshDrawing:
         self.root.addChild(hints)
         self.root.addChild(self._pieces)
         self._nodes: List[_PieceNode] = []
-        self._waiting: Optional[Iterator[Piece]] = None
-        self._filled = 0
-        self._timer = QtCore.QTimer()
-        self._timer.setInterval(0)
-        self._timer.timeout.connect(self._fill_some)
+        self._turns = Turns()
 
     @property
     def element_count(self) -> int:
@@ -128,33 +123,24 @@ class MeshDrawing:
 
     @property
     def busy(self) -> bool:
-        return self._waiting is not None
+        return self._turns.busy
 
     def show(self, pieces: Iterator[Piece]) -> None:
         """Replaces what is shown: some pieces at once, the others turn by turn."""
-        self._waiting, self._filled = iter(pieces), 0
-        self._timer.start()
-        self._fill_some()
+        self._turns.start(self._fill(pieces))
 
     def clear(self) -> None:
         self.show(iter(()))
 
-    def _fill_some(self) -> None:
-        start = time.monotonic()
-        while self._waiting is not None and time.monotonic() - start < _TURN:
-            self._fill_next()
-
-    def _fill_next(self) -> None:
-        piece = next(self._waiting, None) if self._waiting is not None else None
-        if piece is None:
-            self._timer.stop()
-            self._waiting = None
-            for node in self._nodes[self._filled:]:
-                self._pieces.removeChild(node.root)
-            del self._nodes[self._filled:]
-            return
-        if self._filled == len(self._nodes):
-            self._nodes.append(_PieceNode())
-            self._pieces.addChild(self._nodes[-1].root)
-        self._nodes[self._filled].fill(piece)
-        self._filled += 1
+    def _fill(self, pieces: Iterator[Piece]) -> Generator[None, None, None]:
+        filled = 0
+        for piece in pieces:
+            if filled == len(self._nodes):
+                self._nodes.append(_PieceNode())
+                self._pieces.addChild(self._nodes[-1].root)
+            self._nodes[filled].fill(piece)
+            filled += 1
+            yield
+        for node in self._nodes[filled:]:
+            self._pieces.removeChild(node.root)
+        del self._nodes[filled:]

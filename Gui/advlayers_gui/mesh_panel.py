@@ -23,6 +23,7 @@ from advlayers_gui.results_page import ResultsPage
 from advlayers_gui.run_box import RunBox, state_text
 from advlayers_gui.setting_fields import SettingsForm
 from advlayers_gui.task_panel import TaskPanel
+from advlayers_gui.turns import Turns
 from advlayers_gui.view_3d import Overlay, look_at
 
 # The settings asked for most, in this order; the others stand under Advanced.
@@ -73,13 +74,14 @@ class MeshPanel(TaskPanel):
         self._overlays += [Overlay(mesh_object.Document, node)
                            for node in (self._scene.root, self._mark)]
         self._remember_visibility(mesh_object.Part, mesh_object)
+        self._reading = Turns()
         self._build()
-        if mesh_object.FemMesh.NodeCount:
-            self._data = mesh_data.of_object(mesh_object)
-        self._results.show(self._data, check.of_object(mesh_object))
+        self._results.show(None, check.of_object(mesh_object))
         self._pick_bar.picks.begin()
         self._show_shape()
         self._changed()
+        if mesh_object.FemMesh.NodeCount:
+            self._reading.start(mesh_data.reading(mesh_object), self._have_read)
 
     @property
     def scene(self) -> FieldScene:
@@ -117,6 +119,7 @@ class MeshPanel(TaskPanel):
 
     def _clean_up(self) -> None:
         self._run.abandon()
+        self._reading.stop()
         self._scene.clear()
         self._pick_bar.picks.end()
         for form in self._forms:
@@ -229,7 +232,15 @@ class MeshPanel(TaskPanel):
         self.heights.hide()
         self._set_visible(False)
 
+    def _have_read(self, data: MeshData) -> None:
+        """Of the mesh that is there already."""
+        self._data = data
+        self._results.show(data, check.of_object(self._object))
+        if self._tabs.currentIndex() == _RESULTS_TAB:
+            self._show_mesh()
+
     def _done(self, outcome: Outcome) -> None:
+        self._reading.stop()
         self._outcome = outcome
         self._data = outcome.data
         self._results.show(self._data)

@@ -1,12 +1,13 @@
 """How a layer mesh shows in the tree and in the view."""
 from __future__ import annotations
 
-from typing import Any
+import contextlib
+from typing import Any, Callable
 
 import FreeCAD
 import FreeCADGui
 from pivy import coin
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from advlayers.controls import children, is_control, mesh_of
 from advlayers.errors import InputError
@@ -67,6 +68,7 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
     """View provider of a layer mesh."""
 
     _object = None
+    _stale = False  # FreeCAD's own picture is of an earlier mesh
 
     def __init__(self, view_object) -> None:
         view_object.Proxy = self
@@ -74,6 +76,32 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
     def attach(self, view_object) -> None:
         super().attach(view_object)
         self._object = view_object.Object
+        self._redraw, self._show = _turn_of(self._draw_unseen), _turn_of(self._show_again)
+
+    def redraw(self) -> None:
+        """FreeCAD's own picture of the mesh is to be made anew in the next turn of the event loop.
+        """
+        self._stale = True
+        self._redraw.start()
+
+    def draw(self) -> None:
+        """Makes it at once, where that is still to be done."""
+        if self._stale:
+            self._stale = False
+            self._object.ViewObject.update()
+
+    def _draw_unseen(self) -> None:
+        """A picture that is shown would be painted in the same turn."""
+        with contextlib.suppress(ReferenceError):  # its document was closed meanwhile
+            self._object.ViewObject.SwitchNode.whichChild = coin.SO_SWITCH_NONE
+            self._show.start()
+            self.draw()
+
+    def _show_again(self) -> None:
+        with contextlib.suppress(ReferenceError):
+            view_object = self._object.ViewObject
+            if view_object.Visibility:
+                view_object.show()
 
     def getIcon(self) -> str:
         stale = self._object is not None and self._object.State in (OUT_OF_DATE, LOST_REFERENCES)
@@ -94,6 +122,14 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
             raise InputError("", "Part of {} is empty: there is nothing to mesh",
                              document_object.Label)
         return MeshPanel(document_object)
+
+
+def _turn_of(work: Callable[[], None]):
+    """A timer that does the work once, in the turn of the event loop after its start()."""
+    timer = QtCore.QTimer()
+    timer.setSingleShot(True)
+    timer.timeout.connect(work)
+    return timer
 
 
 class ControlView(Stateless, EditedInPanel):
