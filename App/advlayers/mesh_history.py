@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, List, Tuple
 import FreeCAD
 
 from advlayers.fem_mesh import compact
-from advlayers.proxy import redraw_view
+from advlayers.proxy import draw_view, redraw_view
 
 _Key = Tuple[str, str]  # names of document and object
 
@@ -121,8 +121,12 @@ class _Observer:
     def _bring_back(self, document) -> None:
         for key, held in list(_held.items()):
             document_object = document.getObject(key[1]) if key[0] == document.Name else None
-            if document_object is not None and document_object.MeshId != held:
+            if document_object is None:
+                continue
+            if document_object.MeshId != held:
                 self._exchange(document_object)
+            else:
+                draw_view(document_object)  # it may have been deleted before its turn came
 
     def _exchange(self, document_object) -> None:
         name = document_object.MeshId

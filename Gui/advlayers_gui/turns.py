@@ -36,8 +36,9 @@ class Turns:
         self._timer.stop()
 
     def _go_on(self) -> None:
-        start = time.monotonic()
-        while self._steps is not None and time.monotonic() - start < _TURN:
+        end = time.monotonic() + _TURN
+        self._step()
+        while self._steps is not None and time.monotonic() < end:
             self._step()
 
     def _step(self) -> None:

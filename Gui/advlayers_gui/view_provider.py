@@ -19,6 +19,7 @@ from advlayers_gui.command import show_error
 from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView
 
+_GONE = (ReferenceError, RuntimeError)  # the document was closed, the object was deleted
 _NOTHING = "Nothing"  # the display mode of what has no picture of its own
 
 
@@ -27,7 +28,7 @@ class EditedInPanel:
 
     panel: Any = None  # while it is open
 
-    def make_panel(self, document_object):
+    def panel_class(self, document_object):
         """Raises InputError where there is nothing to edit."""
         raise NotImplementedError
 
@@ -36,12 +37,14 @@ class EditedInPanel:
             return False
         document = view_object.Object.Document
         try:
-            self.panel = self.make_panel(view_object.Object)
+            panel_class = self.panel_class(view_object.Object)
         except InputError as error:
             show_error(error.sentence.translated)
             return False
+        # Before the panel hides and shows things: undo is to bring back what was seen before it.
         if not document.HasPendingTransaction:
-            document.openTransaction(tr(self.panel.TITLE))
+            document.openTransaction(tr(panel_class.TITLE))
+        self.panel = panel_class(view_object.Object)
         FreeCADGui.Control.showDialog(self.panel)
         return True
 
@@ -92,13 +95,13 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
 
     def _draw_unseen(self) -> None:
         """A picture that is shown would be painted in the same turn."""
-        with contextlib.suppress(ReferenceError):  # its document was closed meanwhile
+        with contextlib.suppress(*_GONE):
             self._object.ViewObject.SwitchNode.whichChild = coin.SO_SWITCH_NONE
             self._show.start()
             self.draw()
 
     def _show_again(self) -> None:
-        with contextlib.suppress(ReferenceError):
+        with contextlib.suppress(*_GONE):
             view_object = self._object.ViewObject
             if view_object.Visibility:
                 view_object.show()
@@ -115,13 +118,13 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
     def claimChildren(self):
         return children(self._object)
 
-    def make_panel(self, document_object):
+    def panel_class(self, document_object):
         from advlayers_gui.mesh_panel import MeshPanel
 
         if document_object.Part is None:
             raise InputError("", "Part of {} is empty: there is nothing to mesh",
                              document_object.Label)
-        return MeshPanel(document_object)
+        return MeshPanel
 
 
 def _turn_of(work: Callable[[], None]):
@@ -154,13 +157,13 @@ class ControlView(Stateless, EditedInPanel):
     def getIcon(self) -> str:
         return icon(f"AdvLayers_{type(self._object.Proxy).__name__}")
 
-    def make_panel(self, document_object):
+    def panel_class(self, document_object):
         from advlayers_gui.control_panel import ControlPanel
 
         mesh_object = mesh_of(document_object)
         if mesh_object is None or mesh_object.Part is None:
             raise InputError("", "{} belongs to no layer mesh of a shape", document_object.Label)
-        return ControlPanel(document_object)
+        return ControlPanel
 
 
 def attach_to(document_object) -> None:

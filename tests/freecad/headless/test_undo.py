@@ -2,7 +2,7 @@
 import advlayers
 import FreeCAD
 import pytest
-from advlayers import layer_mesh
+from advlayers import layer_mesh, mesh_history
 
 
 @pytest.fixture
@@ -118,3 +118,50 @@ def test_meshes_of_two_documents_do_not_mix(mesh):
         assert mesh.FemMesh.Nodes == before
     finally:
         FreeCAD.closeDocument(other.Name)
+
+
+def test_meshes_beyond_what_all_may_take_are_lost_aloud(mesh, monkeypatch, capfd):
+    """The last mesh but one is always kept; the others go, and the object says so."""
+    monkeypatch.setattr(mesh_history, "_MOST", 1)
+    sizes = (4, 3, 2)
+    nodes = [mesh_with(mesh, size) for size in sizes]
+    mesh.Document.undo()
+    assert mesh.FemMesh.Nodes == nodes[1] and whole(mesh)
+    capfd.readouterr()
+    mesh.Document.undo()
+    text = "".join(capfd.readouterr())
+    assert f"{mesh.Label}: the mesh of this step is not kept any more" in text
+    assert mesh.Size.Value == 4 and mesh.State == layer_mesh.NOT_MESHED
+    assert mesh.FemMesh.NodeCount == mesh.NodeCount == mesh.QuadCount == 0
+    advlayers.update(mesh)
+    assert mesh.FemMesh.Nodes == nodes[0] and whole(mesh)
+
+
+def test_redo_of_a_mesh_after_one_was_lost(mesh, monkeypatch):
+    nodes = [mesh_with(mesh, size) for size in (4, 3)]
+    monkeypatch.setattr(mesh_history, "_MOST", 1)
+    mesh_with(mesh, 2)
+    for _step in range(3):
+        mesh.Document.undo()
+    assert mesh.State == layer_mesh.NOT_MESHED and mesh.FemMesh.NodeCount == 0
+    states = []
+    for _step in range(3):
+        mesh.Document.redo()
+        mesh.Document.recompute()
+        states.append(mesh.State == layer_mesh.NOT_MESHED or whole(mesh))
+        assert (mesh.FemMesh.NodeCount == 0) == (mesh.State == layer_mesh.NOT_MESHED)
+    assert all(states) and len(nodes) == 2
+
+
+def test_a_freecad_that_does_not_let_its_mesh_be_filled_is_given_one():
+    class Guarded:
+        def __init__(self, *other):
+            if other:
+                raise ReferenceError("This object is immutable")
+
+    class Holder:
+        FemMesh = Guarded()
+
+    holder, fem = Holder(), object()
+    mesh_history._fill(holder, fem)
+    assert holder.FemMesh is fem
