@@ -50,11 +50,11 @@ def prepare_view(document_object) -> None:
 
 def redraw_view(document_object) -> None:
     """In the next turn of the event loop: the mesh was changed without FreeCAD's notice."""
-    if FreeCAD.GuiUp:
+    if document_object.ViewObject is not None:
         document_object.ViewObject.Proxy.redraw()
 
 
 def draw_view(document_object) -> None:
     """At once, if that is still to be done."""
-    if FreeCAD.GuiUp:
+    if document_object.ViewObject is not None:
         document_object.ViewObject.Proxy.draw()

@@ -91,6 +91,7 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
         """Makes it at once, where that is still to be done."""
         if self._stale:
             self._stale = False
+            self._redraw.stop()
             self._object.ViewObject.update()
 
     def _draw_unseen(self) -> None:

@@ -1780,6 +1780,10 @@
         <translation>{}: Die Schichten der Flächen daneben würden sie verschieden teilen; ihre Knoten folgen dem Mittel und weichen um bis zu {} % von den verlangten Höhen ab</translation>
     </message>
     <message>
+        <source>{}: the mesh of this step is not kept any more: update it.</source>
+        <translation>{}: Das Netz dieses Schritts ist nicht mehr aufbewahrt: aktualisieren Sie es.</translation>
+    </message>
+    <message>
         <source>{}: there is no {}, edges of the model: {}</source>
         <translation>{}: {} gibt es nicht, Kanten des Modells: {}</translation>
     </message>

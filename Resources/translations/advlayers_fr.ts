@@ -1780,6 +1780,10 @@
         <translation>{} : les couches des faces voisines la couperaient différemment ; ses nœuds suivent la moyenne et s'écartent des hauteurs demandées jusqu'à {} %</translation>
     </message>
     <message>
+        <source>{}: the mesh of this step is not kept any more: update it.</source>
+        <translation>{} : le maillage de cette étape n'est plus conservé : mettez-le à jour.</translation>
+    </message>
+    <message>
         <source>{}: there is no {}, edges of the model: {}</source>
         <translation>{} : {} n'existe pas, arêtes du modèle : {}</translation>
     </message>

@@ -16,7 +16,7 @@ from window import (
 @pytest.fixture
 def mesh(box):
     made = advlayers.make_layer_mesh(box, size=4.0, first_height=0.4, growth=1.3)
-    events()
+    settle(made)
     box.Document.clearUndos()
     return made
 
@@ -50,8 +50,8 @@ def mesh_anew(mesh, size):
 
 
 def settle(mesh):
-    wait_for(lambda: shows(mesh) and is_seen(mesh), 10.0)
-    events()
+    for _turn in range(10):
+        events(0.001)
     assert shows(mesh) and is_seen(mesh)
 
 
@@ -83,9 +83,9 @@ def test_undo_and_redo_show_their_mesh(mesh):
 def test_a_mesh_hidden_at_once_stays_hidden(mesh):
     mesh_anew(mesh, 2.0)
     mesh.ViewObject.Visibility = False
-    wait_for(lambda: shows(mesh), 10.0)
-    events()
-    assert not is_seen(mesh)
+    for _turn in range(10):
+        events(0.001)
+    assert shows(mesh) and not is_seen(mesh)
 
 
 def test_saved_at_once(mesh, tmp_path):

@@ -160,7 +160,7 @@ def test_a_freecad_that_does_not_let_its_mesh_be_filled_is_given_one():
                 raise ReferenceError("This object is immutable")
 
     class Holder:
-        FemMesh = Guarded()
+        FemMesh, ViewObject = Guarded(), None
 
     holder, fem = Holder(), object()
     mesh_history._fill(holder, fem)
