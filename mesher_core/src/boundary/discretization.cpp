@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "boundary/edge_creases.h"
 #include "boundary/edge_overshoot.h"
-#include "boundary/edge_spacing.h"
+#include "boundary/facing_joints.h"
+#include "boundary/facing_stretches.h"
+#include "boundary/layers_along.h"
+#include "boundary/stretch.h"
 
 namespace advlayers {
 
@@ -23,20 +27,11 @@ constexpr int kMaxRounds = 200;
 // Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
 constexpr double kNormalAngle = M_PI / 6.0;
 constexpr int kMinLoop = 3;       // segments
-constexpr double kUnlike = 0.02;  // layers on both sides of an edge that differ more are reported
-
-// A stretch of an edge between two joints: CAD vertices, or kinks of the curve.
-struct Stretch {
-  EdgeId edge;
-  double t_begin, t_end;
-  int joints[2];
-  int required = 1;
-  EdgeSpacing spacing;
-};
 
 class Discretizer {
  public:
-  Discretizer(Evaluator& evaluator, const Settings& settings)
+  Discretizer(Evaluator& evaluator, const Settings& settings,
+              const std::vector<MatchEnd>& match_ends, const std::vector<FourSides>& strips)
       : evaluator_(evaluator),
         model_(evaluator.model()),
         sizes_(settings),
@@ -44,17 +39,21 @@ class Discretizer {
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
     choose_faces(settings);
+    choose_strips(strips, match_ends);
     make_stretches();
   }
 
   Discretization run(const std::vector<MatchEnd>& match_ends) {
-    for (Stretch& stretch : stretches_) {
+    for (Stretch& stretch : stretches_.all) {
       stretch.spacing.require(stretch.required);
       stretch.spacing.cut();
     }
     grade();
     while (part_coincident() || lengthen_loops()) grade();
-    run_layers_along(match_ends);
+    facing_.emplace(strips_, stretches_);
+    facing_->cut_groups();
+    grade();
+    notes_ = run_layers_along(evaluator_, match_ends, stretches_);
     return collect();
   }
 
@@ -73,23 +72,40 @@ class Discretizer {
     }
   }
 
+  // Strips but for those with edges that the user has cut, or that layers run along.
+  void choose_strips(const std::vector<FourSides>& strips,
+                     const std::vector<MatchEnd>& match_ends) {
+    const auto is_given = [&](const CoEdge& coedge) {
+      const SizeSpec* spec = sizes_.edge_spec(coedge.edge);
+      return (spec != nullptr && (spec->segments || spec->cluster)) ||
+             std::any_of(match_ends.begin(), match_ends.end(),
+                         [&](const MatchEnd& match) { return match.edge == coedge.edge; });
+    };
+    for (const FourSides& strip : strips) {
+      if (std::none_of(strip.sides.begin(), strip.sides.end(), [&](const auto& side) {
+            return std::any_of(side.begin(), side.end(), is_given);
+          })) {
+        strips_.push_back(strip);
+      }
+    }
+  }
+
   void make_stretches() {
-    of_edge_.resize(model_.edges().size());
+    stretches_.of_edge.resize(model_.edges().size());
+    const std::vector<std::vector<double>> joints = joints_of_edges();
     for (std::size_t i = 0; i < model_.edges().size(); ++i) {
       const Edge& edge = model_.edges()[i];
       if (sides_[i].empty() || edge.degenerate) continue;
-      std::vector<FaceId> beside;
-      for (const EdgeSpacing::Side& side : sides_[i]) beside.push_back(side.face);
-      limits_.size = kSizeTolerance * sizes_.of_edge(EdgeId(i), beside);
-      const std::vector<double> ends = stretch_ends(EdgeId(i));
+      limits_.size = longest_segment(EdgeId(i));
+      const std::vector<double>& ends = joints[i];
       const int first = edge.start.valid() ? edge.start.value : joint_count_++;
       const int last = edge.end.valid() ? edge.end.value : closed_at(edge, first);
       int from = first;
       for (std::size_t k = 1; k < ends.size(); ++k) {
         const int to = k + 1 == ends.size() ? last : joint_count_++;
-        of_edge_[i].push_back(stretches_.size());
+        stretches_.of_edge[i].push_back(stretches_.all.size());
         limits_.open = from != to;
-        stretches_.push_back(
+        stretches_.all.push_back(
             {EdgeId(i),
              ends[k - 1],
              ends[k],
@@ -102,12 +118,27 @@ class Discretizer {
     }
   }
 
+  double longest_segment(EdgeId edge) const {
+    std::vector<FaceId> beside;
+    for (const EdgeSpacing::Side& side : sides_[edge.index()]) beside.push_back(side.face);
+    return kSizeTolerance * sizes_.of_edge(edge, beside);
+  }
+
+  std::vector<std::vector<double>> joints_of_edges() {
+    std::vector<std::vector<double>> joints(model_.edges().size());
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (!sides_[i].empty() && !model_.edges()[i].degenerate) joints[i] = own_joints(EdgeId(i));
+    }
+    face_joints(evaluator_, strips_, joints);
+    return joints;
+  }
+
   // The edge's ends and what takes a node between them: kinks of the curve, which turn no matter
   // how short the segments, and folds of a face beside it.
-  std::vector<double> stretch_ends(EdgeId id) {
+  std::vector<double> own_joints(EdgeId id) {
     const EdgeExtent extent = extent_without_overshoot(evaluator_, id);
     std::vector<double> found = evaluator_.edge_kinks(id, 0.5 * limits_.curve_angle);
-    const double least = kSharpFold * std::min(limits_.size, model_.edge(id).length);
+    const double least = kSharpFold * std::min(longest_segment(id), model_.edge(id).length);
     for (const double t : edge_creases(evaluator_, id, sides_[id.index()], least)) {
       found.push_back(t);
     }
@@ -124,8 +155,8 @@ class Discretizer {
     const SizeSpec* spec = sizes_.edge_spec(edge);
     if (spec == nullptr || (!spec->segments && !spec->cluster)) return;
     double length = 0.0;
-    for (const std::size_t i : of_edge_[edge.index()]) length += stretches_[i].spacing.length();
-    for (const std::size_t i : of_edge_[edge.index()]) {
+    for (const std::size_t i : stretches_.of(edge)) length += stretches_[i].spacing.length();
+    for (const std::size_t i : stretches_.of(edge)) {
       EdgeSpacing& spacing = stretches_[i].spacing;
       const double ratio = std::pow(spec->cluster.value_or(1.0), spacing.length() / length);
       const int segments =
@@ -149,18 +180,19 @@ class Discretizer {
     for (int round = 0; round < kMaxRounds; ++round) {
       std::vector<double> shortest(static_cast<std::size_t>(joint_count_),
                                    std::numeric_limits<double>::infinity());
-      for (const Stretch& s : stretches_) {
+      for (const Stretch& s : stretches_.all) {
         for (int end = 0; end < 2; ++end) {
           double& least = shortest[static_cast<std::size_t>(s.joints[end])];
           least = std::min(least, s.spacing.end_segment(end));
         }
       }
       bool changed = false;
-      for (Stretch& s : stretches_) {
+      for (std::size_t i = 0; i < stretches_.all.size(); ++i) {
+        Stretch& s = stretches_[i];
+        if (s.spacing.fixed() || (facing_ && facing_->is_grouped(i))) continue;
         bool lowered = false;
         for (int end = 0; end < 2; ++end) {
           const double least = shortest[static_cast<std::size_t>(s.joints[end])];
-          if (s.spacing.fixed()) continue;
           if (s.spacing.end_segment(end) <= kMaxJump * (1.0 + 1e-9) * least) continue;
           s.spacing.limit_end(end, kJump * least);
           lowered = true;
@@ -172,17 +204,17 @@ class Discretizer {
     }
   }
 
-  void require(Stretch& s, int count) {
-    s.required = count;
-    s.spacing.require(count);
-    s.spacing.cut();
+  void require(std::size_t stretch, int count) {
+    stretches_[stretch].required = count;
+    stretches_[stretch].spacing.require(count);
+    stretches_[stretch].spacing.cut();
   }
 
   // Two stretches of one segment between the same joints would be one mesh edge: those that are
   // not straight, or all where none is, take a node between.
   bool part_coincident() {
     std::map<std::pair<int, int>, std::vector<std::size_t>> single;
-    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    for (std::size_t i = 0; i < stretches_.all.size(); ++i) {
       const Stretch& s = stretches_[i];
       if (s.spacing.count() == 1) single[std::minmax(s.joints[0], s.joints[1])].push_back(i);
     }
@@ -197,7 +229,7 @@ class Discretizer {
         if (s.spacing.length() > chord.norm() * (1.0 + 1e-9)) curved.push_back(i);
       }
       for (const std::size_t i : group.size() - curved.size() > 1 ? group : curved) {
-        require(stretches_[i], 2);
+        require(i, 2);
         changed = true;
       }
     }
@@ -218,85 +250,19 @@ class Discretizer {
     int segments = 0;
     double longest = 0.0;
     for (const CoEdge& coedge : loop) {
-      for (const std::size_t i : of_edge_[coedge.edge.index()]) {
+      for (const std::size_t i : stretches_.of(coedge.edge)) {
         segments += stretches_[i].spacing.count();
         longest = std::max(longest, stretches_[i].spacing.length());
       }
     }
     if (segments == 0 || segments >= kMinLoop) return false;
     for (const CoEdge& coedge : loop) {
-      for (const std::size_t i : of_edge_[coedge.edge.index()]) {
-        Stretch& s = stretches_[i];
-        if (s.spacing.length() >= longest * (1.0 - 1e-9)) require(s, s.spacing.count() + 1);
+      for (const std::size_t i : stretches_.of(coedge.edge)) {
+        const EdgeSpacing& spacing = stretches_[i].spacing;
+        if (spacing.length() >= longest * (1.0 - 1e-9)) require(i, spacing.count() + 1);
       }
     }
     return true;
-  }
-
-  // After all else: the segments that layers need at their ends shorten no other edge's.
-  void run_layers_along(const std::vector<MatchEnd>& match_ends) {
-    std::map<std::pair<EdgeId, int>, std::vector<const MatchEnd*>> at_end;
-    for (const MatchEnd& match : match_ends) at_end[{match.edge, match.end}].push_back(&match);
-    std::vector<std::pair<std::size_t, LayeredCuts>> planned;  // all by the walls as they are now
-    for (std::size_t i = 0; i < stretches_.size(); ++i) {
-      const EdgeId edge = stretches_[i].edge;
-      std::vector<LayerSeries> series[2];
-      for (int end = 0; end < 2; ++end) {
-        const auto found = at_end.find({edge, end});
-        const auto& stretches = of_edge_[edge.index()];
-        if (found == at_end.end() || i != (end == 0 ? stretches.front() : stretches.back())) {
-          continue;
-        }
-        for (const MatchEnd* match : found->second) series[end].push_back(series_of(*match));
-      }
-      if (series[0].empty() && series[1].empty()) continue;
-      if (stretches_[i].spacing.fixed()) {
-        note("match-fixed",
-             Sentence("{}: its segments are fixed: layers run along it where they fit",
-                      edge_name(edge)));
-        continue;
-      }
-      LayeredCuts cuts = lay_out_layers(stretches_[i].spacing.length(), series[0], series[1]);
-      if (cuts.spread > kUnlike) note_spread(edge, cuts.spread);
-      planned.emplace_back(i, std::move(cuts));
-    }
-    for (auto& [i, cuts] : planned) {
-      stretches_[i].spacing.set_layers(std::move(cuts));
-      stretches_[i].spacing.cut();
-    }
-  }
-
-  LayerSeries series_of(const MatchEnd& match) {
-    const auto& stretches = of_edge_[match.wall.index()];
-    const Stretch& wall = stretches_[match.wall_end == 0 ? stretches.front() : stretches.back()];
-    WallPlace place;
-    place.part = match.wall_end;
-    place.segment = wall.spacing.end_segment(match.wall_end);
-    place.curvature =
-        evaluator_.edge_curvature(match.wall, match.wall_end == 0 ? wall.t_begin : wall.t_end);
-    LayerSeries series;
-    series.height = first_height_at(match.spacing, place, match.max_height);
-    series.growth = match.spacing.growth;
-    series.layers = match.spacing.layers;
-    series.most = match.max_height;
-    series.sine = match.sine;
-    if (match.stop_at_isotropy) series.isotropic = place.segment;
-    return series;
-  }
-
-  void note_spread(EdgeId edge, double spread) {
-    note(
-        "match-mean",
-        Sentence("{}: the layers of the faces beside it would cut it differently; its nodes follow "
-                 "the mean, and leave the heights asked for by up to {} %",
-                 edge_name(edge), std::lround(100.0 * spread)));
-  }
-  void note(const char* code, Sentence sentence) {
-    Diagnostic note;
-    note.severity = Severity::kInfo;
-    note.code = code;
-    note.sentence = std::move(sentence);
-    notes_.push_back(std::move(note));
   }
 
   Discretization collect() {
@@ -351,7 +317,7 @@ class Discretizer {
 
   void add_edge(EdgeId id, Discretization& out) {
     EdgeNodes& edge = out.edges[id.index()];
-    for (const std::size_t i : of_edge_[id.index()]) {
+    for (const std::size_t i : stretches_.of(id)) {
       const Stretch& s = stretches_[i];
       const NodeId begin = joint_node(s.joints[0], id, s.t_begin, out);
       if (edge.nodes.empty()) {
@@ -376,8 +342,9 @@ class Discretizer {
   int joint_count_;       // joints below the number of CAD vertices are those
   std::vector<bool> meshed_;
   std::vector<std::vector<EdgeSpacing::Side>> sides_;  // by EdgeId
-  std::vector<Stretch> stretches_;
-  std::vector<std::vector<std::size_t>> of_edge_;
+  Stretches stretches_;
+  std::vector<FourSides> strips_;
+  std::optional<FacingStretches> facing_;
   std::vector<NodeId> joint_node_;
   std::vector<Diagnostic> notes_;
 };
@@ -385,8 +352,9 @@ class Discretizer {
 }  // namespace
 
 Discretization discretize(Evaluator& evaluator, const Settings& settings,
-                          const std::vector<MatchEnd>& match_ends) {
-  return Discretizer(evaluator, settings).run(match_ends);
+                          const std::vector<MatchEnd>& match_ends,
+                          const std::vector<FourSides>& strips) {
+  return Discretizer(evaluator, settings, match_ends, strips).run(match_ends);
 }
 
 bool same_cuts(const Discretization& a, const Discretization& b) {

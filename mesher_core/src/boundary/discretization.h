@@ -7,6 +7,7 @@
 #include "base/types.h"
 #include "boundary/match_end.h"
 #include "geometry/evaluator.h"
+#include "geometry/four_sides.h"
 #include "sizing/settings.h"
 
 namespace advlayers {
@@ -32,8 +33,11 @@ struct Discretization {
 // Cuts edges by size, curvature angle and a graded transition from short edges. A closed edge gets
 // at least three segments; every edge at least one. Edges of no meshed face are left empty. Layers
 // that run along an edge take its ends: their nodes come first, and what lies between blends in.
+// Facing sides of `strips` get as many segments, facing each other, except on edges whose cuts are
+// given otherwise, by the user or by layers.
 Discretization discretize(Evaluator& evaluator, const Settings& settings,
-                          const std::vector<MatchEnd>& match_ends = {});
+                          const std::vector<MatchEnd>& match_ends = {},
+                          const std::vector<FourSides>& strips = {});
 
 // Whether every edge has the same nodes in the same places.
 bool same_cuts(const Discretization& a, const Discretization& b);

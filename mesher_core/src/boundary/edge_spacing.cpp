@@ -19,10 +19,8 @@ constexpr int kMinDepth = 2, kMaxDepth = 12;
 constexpr double kNormalFloor = 0.05;
 // An open stretch shorter than this part of the size is one segment, however it turns.
 constexpr double kTiny = 0.05;
-constexpr double kUniform = 1e-9;  // relative spread of an even spacing
 // Beyond the layers that run along it an edge grows faster: it meets the long edges of their front.
 constexpr double kBlendSlope = 1.0;
-constexpr double kMaxSegments = 5e6;
 
 }  // namespace
 
@@ -129,10 +127,10 @@ int EdgeSpacing::segments_for(double ratio, bool both_ends) const {
   const double larger = std::max(ratio, 1.0 / ratio);
   const double segments = length() / limits_.size *
                           (larger > 1.0 + 1e-9 ? std::log(larger) * larger / (larger - 1.0) : 1.0);
-  if (!(segments < kMaxSegments)) {
+  if (!(segments < kMostSegments)) {
     throw InvalidInput("{} would cut {} into millions of segments", "cluster", edge_name(edge_));
   }
-  return std::max(both_ends ? 2 : 1, static_cast<int>(std::ceil(segments - kUniform)));
+  return std::max(both_ends ? 2 : 1, static_cast<int>(std::ceil(segments - kEvenSpread)));
 }
 
 void EdgeSpacing::cut_fixed() {
@@ -153,10 +151,10 @@ void EdgeSpacing::limit_end(int end, double spacing) {
 }
 
 // The wanted spacing between two arc lengths, held to the slope from every sample and the ends.
-std::vector<EdgeSpacing::Sample> EdgeSpacing::graded(double from, double to) const {
+std::vector<SpacingSample> EdgeSpacing::graded(double from, double to) const {
   const double slope = limits_.sizes->slope();
-  std::vector<Sample> h{{from, std::numeric_limits<double>::infinity()}};
-  for (const Sample& sample : samples_) {
+  std::vector<SpacingSample> h{{from, std::numeric_limits<double>::infinity()}};
+  for (const SpacingSample& sample : samples_) {
     if (sample.s <= from) {
       h.front().spacing = sample.spacing;
     } else {
@@ -172,7 +170,7 @@ std::vector<EdgeSpacing::Sample> EdgeSpacing::graded(double from, double to) con
   for (std::size_t i = h.size() - 1; i-- > 0;) {
     h[i].spacing = std::min(h[i].spacing, h[i + 1].spacing + slope * (h[i + 1].s - h[i].s));
   }
-  for (Sample& sample : h) {
+  for (SpacingSample& sample : h) {
     const double beyond[2] = {sample.s - from, to - sample.s};
     for (int end = 0; end < 2; ++end) {
       if (layers_.segments[end].empty()) continue;
@@ -202,41 +200,14 @@ void EdgeSpacing::cut() {
 }
 
 void EdgeSpacing::cut_between(double from, double to) {
-  const std::vector<Sample> h = graded(from, to);
-  // Segments up to each sample: the integral of ds / h, h linear between samples.
-  std::vector<double> shares(h.size(), 0.0);
-  double least = h[0].spacing, most = h[0].spacing;
-  for (std::size_t i = 1; i < h.size(); ++i) {
-    const double ds = h[i].s - h[i - 1].s, dh = h[i].spacing - h[i - 1].spacing;
-    const double rise = dh / h[i - 1].spacing;
-    const double share = std::abs(rise) < 1e-9 ? ds / h[i - 1].spacing : ds / dh * std::log1p(rise);
-    shares[i] = shares[i - 1] + share;
-    least = std::min(least, h[i].spacing);
-    most = std::max(most, h[i].spacing);
-  }
-  const double total = shares.back();
-  if (!(total < kMaxSegments)) {
-    throw InvalidInput("{} is too small: it would cut {} into {} segments", "size",
-                       edge_name(edge_), total);
-  }
-  const int n = std::max(required_, static_cast<int>(std::ceil(total - kUniform * (1.0 + total))));
-  const bool uniform = most - least <= kUniform * most;
-  std::size_t cell = 1;
-  for (int k = 1; k < n; ++k) {
-    if (uniform) {
-      cuts_.push_back(from + (to - from) * k / n);
-      continue;
-    }
-    const double share = total * k / n;
-    while (cell + 1 < shares.size() && shares[cell] < share) ++cell;
-    const Sample &a = h[cell - 1], &b = h[cell];
-    const double ds = b.s - a.s, slope = (b.spacing - a.spacing) / ds;
-    const double part = share - shares[cell - 1];
-    const bool level = std::abs(slope * part) < 1e-9;
-    const double walked = level ? part * a.spacing : a.spacing * std::expm1(slope * part) / slope;
-    cuts_.push_back(a.s + std::min(walked, ds));
-  }
-  cuts_.push_back(to);
+  const std::vector<double> cuts = divide_by_spacing(graded(from, to), required_, edge_);
+  cuts_.insert(cuts_.end(), cuts.begin() + 1, cuts.end());
+}
+
+void EdgeSpacing::cut_at(const std::vector<double>& shares) {
+  cuts_.clear();
+  for (const double share : shares) cuts_.push_back(share * length());
+  cuts_.back() = length();
 }
 
 double EdgeSpacing::end_segment(int end) const {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "boundary/divide_length.h"
 #include "boundary/match_end.h"
 #include "geometry/evaluator.h"
 #include "sizing/size_field.h"
@@ -50,12 +51,13 @@ class EdgeSpacing {
   const std::vector<double>& cuts() const { return cuts_; }
   int count() const { return static_cast<int>(cuts_.size()) - 1; }
   double end_segment(int end) const;
+  // What cut() goes by: the spacing wanted along the stretch, and the least number of segments.
+  std::vector<SpacingSample> wanted() const { return graded(0.0, length()); }
+  int required() const { return required_; }
+  // Cuts at these shares of the length, from 0 to 1, instead.
+  void cut_at(const std::vector<double>& shares);
 
  private:
-  struct Sample {
-    double s;        // arc length from the begin [mm]
-    double spacing;  // wanted there by size and angles [mm]
-  };
   struct Station {
     double t, s;
     Vec3 xyz, tangent;
@@ -66,7 +68,7 @@ class EdgeSpacing {
   void refine(const Station& a, const Station& b, int depth);
   double cell_spacing(const Station& a, const Station& b) const;
   double turn_spacing(const Station& a, const Station& b) const;
-  std::vector<Sample> graded(double from, double to) const;
+  std::vector<SpacingSample> graded(double from, double to) const;
   void cut_between(double from, double to);
 
   Evaluator* evaluator_;
@@ -75,7 +77,7 @@ class EdgeSpacing {
   const std::vector<Side>* sides_;  // while sampling only
   SpacingLimits limits_;
   double least_by_normals_ = 0.0;  // [mm]
-  std::vector<Sample> samples_;
+  std::vector<SpacingSample> samples_;
   int required_ = 1;
   double end_limit_[2] = {std::numeric_limits<double>::infinity(),
                           std::numeric_limits<double>::infinity()};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/directions.h"
 #include "sizing/gap_rule.h"
 
 namespace advlayers {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/directions.h"
+
 namespace advlayers {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/directions.h"
+
 namespace advlayers {
 
 double signed_area2(const Corner& a, const Corner& b, const Corner& c) {
@@ -45,12 +47,6 @@ double corner_cosine(const Corner& a, const Corner& b, const Corner& c) {
   const double scale = cross.norm();
   if (!(scale > 0.0)) return 1.0;
   return std::min({cross.dot(a.normal), cross.dot(b.normal), cross.dot(c.normal)}) / scale;
-}
-
-double turn_angle(const Vec3& from, const Vec3& to, const Vec3& normal) {
-  const double angle =
-      std::atan2(from.cross(to).dot(normal), from.dot(to) - from.dot(normal) * to.dot(normal));
-  return angle < 0.0 ? angle + 2.0 * M_PI : angle;
 }
 
 double inner_angle(const Corner& a, const Corner& b, const Corner& c) {

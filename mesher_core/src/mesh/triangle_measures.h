@@ -32,9 +32,6 @@ double deviation_cosine(const Corner& a, const Corner& b, const Corner& c);
 // that spans a bend may be upright on the mean, but not at its corners.
 double corner_cosine(const Corner& a, const Corner& b, const Corner& c);
 
-// The angle [rad] in 0 … 2 pi from direction `from` counter-clockwise to `to` about `normal`.
-double turn_angle(const Vec3& from, const Vec3& to, const Vec3& normal);
-
 // The angle [rad] in 0 … 2 pi at b inside a polygon that runs counter-clockwise a, b, c.
 double inner_angle(const Corner& a, const Corner& b, const Corner& c);
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "mesh/triangle_measures.h"
+#include "geometry/face_corners.h"
 
 namespace advlayers {
 namespace {
@@ -12,57 +12,6 @@ constexpr double kDegree = M_PI / 180.0;
 // Layers do not run along an edge that is more slant than this.
 constexpr double kLeastAngle = 45.0 * kDegree;
 constexpr double kLargestAngle = 135.0 * kDegree;
-constexpr double kChordPart = 1e-3;  // of the edge's range, where its tangent vanishes
-
-// An edge as a face's boundary runs into a vertex or out of it.
-struct Side {
-  EdgeId edge;
-  int end = 0;  // 0: the vertex is at the edge's first parameter
-};
-
-struct FaceCorner {
-  FaceId face;
-  Side in, out;
-  double angle = 0.0;  // inside the face [rad]
-};
-
-// Unit direction in which the edge leaves one of its ends.
-Vec3 direction_from(Evaluator& evaluator, Side side) {
-  const Edge& edge = evaluator.model().edge(side.edge);
-  const double t = side.end == 0 ? edge.first : edge.last;
-  const double sign = side.end == 0 ? 1.0 : -1.0;
-  const Vec3 tangent = sign * evaluator.edge_tangent(side.edge, t);
-  if (tangent.norm() * (edge.last - edge.first) > 1e-6 * edge.length) return tangent.normalized();
-  const double beside = t + sign * kChordPart * (edge.last - edge.first);
-  return (evaluator.edge_point(side.edge, beside) - evaluator.edge_point(side.edge, t))
-      .normalized();
-}
-
-FaceCorner corner_between(Evaluator& evaluator, FaceId face, const CoEdge& in, const CoEdge& out) {
-  FaceCorner corner{face, {in.edge, in.forward ? 1 : 0}, {out.edge, out.forward ? 0 : 1}};
-  const Edge& edge = evaluator.model().edge(out.edge);
-  const Vec2 uv = evaluator.edge_uv(face, out, out.forward ? edge.first : edge.last);
-  const Vec3 normal = evaluator.frame(face, uv.x(), uv.y()).normal;
-  corner.angle = turn_angle(direction_from(evaluator, corner.out),
-                            direction_from(evaluator, corner.in), normal);
-  return corner;
-}
-
-std::vector<FaceCorner> corners_of(Evaluator& evaluator, const std::vector<FaceId>& faces) {
-  std::vector<FaceCorner> corners;
-  for (const FaceId face : faces) {
-    for (const auto& loop : evaluator.model().face(face).loops) {
-      std::vector<const CoEdge*> run;
-      for (const CoEdge& coedge : loop) {
-        if (!coedge.degenerate) run.push_back(&coedge);
-      }
-      for (std::size_t k = 0; k < run.size(); ++k) {
-        corners.push_back(corner_between(evaluator, face, *run[k], *run[(k + 1) % run.size()]));
-      }
-    }
-  }
-  return corners;
-}
 
 class MatchPlanner {
  public:
@@ -71,7 +20,11 @@ class MatchPlanner {
 
   MatchPlan run(const std::vector<FaceId>& faces) {
     if (has(EdgeCondition::kMatch) && has(EdgeCondition::kWall)) {
-      const std::vector<FaceCorner> corners = corners_of(evaluator_, faces);
+      std::vector<FaceCorner> corners;
+      for (const FaceId face : faces) {
+        const std::vector<FaceCorner> found = corners_of(evaluator_, face);
+        corners.insert(corners.end(), found.begin(), found.end());
+      }
       for (const FaceCorner& corner : corners) follow(corner, corners);
     }
     return std::move(plan_);
@@ -107,7 +60,7 @@ class MatchPlanner {
     if (out->condition == EdgeCondition::kWall) add(corner, corner.out, *out, corner.in, *in);
   }
 
-  void add(const FaceCorner& corner, Side wall, const EdgePlan& plan, Side along,
+  void add(const FaceCorner& corner, CornerSide wall, const EdgePlan& plan, CornerSide along,
            const EdgePlan& other) {
     if (other.condition != EdgeCondition::kMatch) return;
     if (corner.angle < kLeastAngle || corner.angle > kLargestAngle) {

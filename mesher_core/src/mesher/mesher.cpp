@@ -148,11 +148,13 @@ void Mesher::Impl::cut_boundary() {
     if (!job.finished()) job.plan();
   });
   std::vector<MatchEnd> match_ends;
+  std::vector<FourSides> strips;
   for (const auto& job : jobs) {
     match_ends.insert(match_ends.end(), job->match_ends().begin(), job->match_ends().end());
+    if (job->strip()) strips.push_back(*job->strip());
   }
   Evaluator evaluator(model);
-  Discretization cut = discretize(evaluator, settings, match_ends);
+  Discretization cut = discretize(evaluator, settings, match_ends, strips);
   // Finished patches fit the boundary as it stands, with the edges that were halved since.
   if (same_cuts(cut, first_cut)) return;
   for_each_job([this](PatchJob& job, std::size_t index) {

@@ -7,6 +7,7 @@
 
 #include "mesh/validate.h"
 #include "mesher/element_faces.h"
+#include "mesher/narrow_strip.h"
 #include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
 #include "quality/core_improvement.h"
@@ -128,6 +129,7 @@ void PatchJob::plan() {
     walls_ = plan_walls(evaluator_, *settings_, faces_);
     matches_ = plan_matches(evaluator_, faces_, walls_);
     for (Diagnostic& note : matches_.notes) note.patch = id_;
+    strip_ = find_narrow_strip(evaluator_, faces_, walls_, *settings_);
   });
 }
 
@@ -142,6 +144,7 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
       complain(Severity::kInfo, "no-boundary",
                Sentence("{} has no boundary edge that layers could grow from", patch_name(faces_)));
     }
+    if (fill_in_rows(boundary)) return;
     try {
       Triangulation made =
           advlayers::triangulate(surface_, evaluator_, boundary, *settings_, cancel);
@@ -157,8 +160,23 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
       throw;
     }
   });
-  growing_ = meshed_;
+  growing_ = meshed_ && !in_rows_;
   return coarse;
+}
+
+// A strip too narrow for layers is finished at once: each of its walls' columns has met the other.
+bool PatchJob::fill_in_rows(const Discretization& boundary) {
+  std::optional<SurfaceMesh> rows;
+  if (strip_) rows = mesh_in_rows(evaluator_, surface_, boundary, *strip_, walls_, *settings_);
+  in_rows_ = rows.has_value();
+  stops_.clear();
+  if (!in_rows_) return false;
+  mesh_ = std::move(*rows);
+  for (std::size_t i = 0; i < mesh_.vertex_capacity(); ++i) {
+    const VertexH v(i);
+    if (mesh_.data(v).node.valid()) stops_.push_back({v, Stop::kCollision, 1});
+  }
+  return true;
 }
 
 bool PatchJob::advance(LayerReport& report, const CancelFlag& cancel) {
@@ -242,6 +260,10 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
   if (finished_) return;
   end_layers();
   if (!meshed_) return;
+  if (in_rows_) {
+    finished_ = true;
+    return;
+  }
   if (const std::string fault = find_connectivity_fault(mesh_); !fault.empty()) {
     complain(Severity::kError, "face-not-meshed",
              Sentence("{}: its layers broke the mesh: {}", patch_name(faces_), fault));

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/cancel.h"
 #include "boundary/discretization.h"
+#include "geometry/four_sides.h"
 #include "geometry/patch_surface.h"
 #include "layers/patch_layers.h"
 #include "mesh/surface_mesh.h"
@@ -47,6 +49,7 @@ class PatchJob {
   // Of finish(): those of several faces that the patch's mesh could not follow.
   const std::vector<FaceId>& strained_faces() const { return strained_; }
   const std::vector<MatchEnd>& match_ends() const { return matches_.ends; }
+  const std::optional<FourSides>& strip() const { return strip_; }  // of plan()
   double area() const { return area_; }  // [mm^2] of the faces, as a measure of the work
   const SurfaceMesh& mesh() const { return mesh_; }
 
@@ -63,6 +66,7 @@ class PatchJob {
   template <class Stage>
   bool guard(const char* code, const Stage& stage);
   void complain(Severity severity, const char* code, Sentence sentence);
+  bool fill_in_rows(const Discretization& boundary);
   void end_layers();
   void complete(const CancelFlag& cancel);
   int count_inverted(const CancelFlag& cancel);
@@ -85,6 +89,8 @@ class PatchJob {
   std::unique_ptr<PatchLayers> layers_;
   bool meshed_ = false;
   bool finished_ = false;
+  std::optional<FourSides> strip_;  // of plan(): too narrow for layers
+  bool in_rows_ = false;            // meshed by rows across a strip, without layers
   bool growing_ = false;
   bool defective_ = false;
   PatchReport report_;

@@ -6,6 +6,7 @@
 
 #include "layers/layer_run.h"
 #include "layers/layer_shapes.h"
+#include "base/directions.h"
 #include "mesh/triangle_measures.h"
 
 namespace advlayers::test {

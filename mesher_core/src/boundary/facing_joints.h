@@ -1,0 +1,15 @@
+// Where a node on one long side of a strip asks for one that faces it on the other.
+#pragma once
+
+#include <vector>
+
+#include "geometry/four_sides.h"
+
+namespace advlayers {
+
+// Adds to the joints of edges (by EdgeId: parameters, rising, ends included; empty for edges that
+// are not cut) until facing sides of every strip are divided alike.
+void face_joints(Evaluator& evaluator, const std::vector<FourSides>& strips,
+                 std::vector<std::vector<double>>& joints);
+
+}  // namespace advlayers

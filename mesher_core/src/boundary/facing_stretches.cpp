@@ -1,0 +1,142 @@
+#include "boundary/facing_stretches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace advlayers {
+namespace {
+
+// Long sides of which one would be cut into more than so many times the segments of the other stay
+// as they are: either would be far too fine.
+constexpr double kMostUnlike = 2.0;
+constexpr double kSameShare = 1e-9;
+
+// The finest of several spacings, each over its own length, as shares of it from 0 to 1.
+class FinestSpacing {
+ public:
+  void add(std::vector<SpacingSample> wanted, bool reversed) {
+    const double length = wanted.back().s;
+    for (SpacingSample& sample : wanted) sample = {sample.s / length, sample.spacing / length};
+    if (reversed) {
+      std::reverse(wanted.begin(), wanted.end());
+      for (SpacingSample& sample : wanted) sample.s = 1.0 - sample.s;
+    }
+    for (const SpacingSample& sample : wanted) shares_.push_back(sample.s);
+    profiles_.push_back(std::move(wanted));
+  }
+
+  std::vector<SpacingSample> samples() {
+    std::sort(shares_.begin(), shares_.end());
+    std::vector<SpacingSample> finest;
+    for (const double share : shares_) {
+      if (!finest.empty() && share - finest.back().s < kSameShare) continue;
+      finest.push_back({share, spacing_at(share)});
+    }
+    finest.back().s = 1.0;
+    return finest;
+  }
+
+ private:
+  double spacing_at(double share) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& profile : profiles_) {
+      std::size_t k = 1;
+      while (k + 1 < profile.size() && profile[k].s < share) ++k;
+      const SpacingSample &a = profile[k - 1], &b = profile[k];
+      const double part = std::clamp((share - a.s) / (b.s - a.s), 0.0, 1.0);
+      least = std::min(least, a.spacing + part * (b.spacing - a.spacing));
+    }
+    return least;
+  }
+
+  std::vector<double> shares_;
+  std::vector<std::vector<SpacingSample>> profiles_;
+};
+
+}  // namespace
+
+FacingStretches::FacingStretches(const std::vector<FourSides>& strips, Stretches& stretches)
+    : stretches_(stretches),
+      groups_(stretches.all.size()),
+      group_of_(stretches.all.size()),
+      reversed_(stretches.all.size(), 0) {
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    groups_[i] = {{i, false}};
+    group_of_[i] = i;
+  }
+  std::vector<Pair> pairs;
+  for (const FourSides& strip : strips) {
+    for (const std::size_t side : {0, 1}) add_pairs(strip, side, pairs);
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.unlikeness < b.unlikeness; });
+  for (const Pair& pair : pairs) join(pair);
+}
+
+std::vector<FacingStretches::Member> FacingStretches::along(const std::vector<CoEdge>& side) const {
+  std::vector<Member> members;
+  for (const CoEdge& coedge : side) {
+    const auto& of_edge = stretches_.of(coedge.edge);
+    for (std::size_t k = 0; k < of_edge.size(); ++k) {
+      const std::size_t i = of_edge[coedge.forward ? k : of_edge.size() - 1 - k];
+      members.push_back({i, !coedge.forward});
+    }
+  }
+  return members;
+}
+
+void FacingStretches::add_pairs(const FourSides& strip, std::size_t side,
+                                std::vector<Pair>& pairs) const {
+  const std::vector<Member> a = along(strip.sides[side]);
+  std::vector<Member> b = along(strip.sides[side + 2]);
+  if (a.size() != b.size()) return;
+  std::reverse(b.begin(), b.end());  // the loop comes back along it
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const auto [least, most] = std::minmax(stretches_[a[k].stretch].spacing.count(),
+                                           stretches_[b[k].stretch].spacing.count());
+    const double unlikeness = side == 0 ? static_cast<double>(most) / least : 1.0;
+    pairs.push_back({a[k], {b[k].stretch, !b[k].reversed}, unlikeness});
+  }
+}
+
+void FacingStretches::join(const Pair& pair) {
+  const std::size_t a = group_of_[pair.a.stretch], b = group_of_[pair.b.stretch];
+  if (a == b || pair.unlikeness > kMostUnlike) return;
+  const bool turned = (pair.a.reversed != pair.b.reversed) !=
+                      ((reversed_[pair.a.stretch] != 0) != (reversed_[pair.b.stretch] != 0));
+  for (Member member : groups_[b]) {
+    member.reversed = member.reversed != turned;
+    group_of_[member.stretch] = a;
+    reversed_[member.stretch] = member.reversed ? 1 : 0;
+    groups_[a].push_back(member);
+  }
+  groups_[b].clear();
+}
+
+void FacingStretches::cut_group(const std::vector<Member>& group) {
+  FinestSpacing finest;
+  int required = 1;
+  for (const Member& member : group) {
+    const EdgeSpacing& spacing = stretches_[member.stretch].spacing;
+    finest.add(spacing.wanted(), member.reversed);
+    required = std::max(required, spacing.required());
+  }
+  const std::vector<double> shares =
+      divide_by_spacing(finest.samples(), required, stretches_[group.front().stretch].edge);
+  std::vector<double> from_end;
+  for (auto share = shares.rbegin(); share != shares.rend(); ++share) {
+    from_end.push_back(1.0 - *share);
+  }
+  for (const Member& member : group) {
+    stretches_[member.stretch].spacing.cut_at(member.reversed ? from_end : shares);
+  }
+}
+
+void FacingStretches::cut_groups() {
+  for (const auto& group : groups_) {
+    if (group.size() > 1) cut_group(group);
+  }
+}
+
+}  // namespace advlayers

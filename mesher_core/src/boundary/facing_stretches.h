@@ -1,0 +1,44 @@
+// Stretches that face each other across a narrow face: cut alike, so that its rows of quads run
+// from side to side.
+#pragma once
+
+#include <vector>
+
+#include "boundary/stretch.h"
+#include "geometry/four_sides.h"
+
+namespace advlayers {
+
+class FacingStretches {
+ public:
+  // Joins those that hang together over a chain of strips. Stretches must have been cut, each by
+  // itself; long ones of very different numbers of segments stay as they are.
+  FacingStretches(const std::vector<FourSides>& strips, Stretches& stretches);
+
+  // Cuts those that are to be cut alike at the same shares of their lengths, so finely that no
+  // segment is longer than any of them asks for.
+  void cut_groups();
+  bool is_grouped(std::size_t stretch) const { return groups_[group_of_[stretch]].size() > 1; }
+
+ private:
+  struct Member {
+    std::size_t stretch;
+    bool reversed;  // against the first member
+  };
+  struct Pair {
+    Member a, b;
+    double unlikeness;  // of the numbers of segments, 1 and more
+  };
+
+  void add_pairs(const FourSides& strip, std::size_t side, std::vector<Pair>& pairs) const;
+  std::vector<Member> along(const std::vector<CoEdge>& side) const;
+  void join(const Pair& pair);
+  void cut_group(const std::vector<Member>& group);
+
+  Stretches& stretches_;
+  std::vector<std::vector<Member>> groups_;
+  std::vector<std::size_t> group_of_;  // by stretch
+  std::vector<char> reversed_;         // within its group
+};
+
+}  // namespace advlayers

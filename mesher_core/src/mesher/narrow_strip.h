@@ -1,0 +1,27 @@
+// Patches too narrow for any layer: rows of quads from side to side.
+#pragma once
+
+#include <optional>
+
+#include "boundary/discretization.h"
+#include "geometry/four_sides.h"
+#include "geometry/patch_surface.h"
+#include "layers/wall_plan.h"
+#include "mesh/surface_mesh.h"
+#include "sizing/settings.h"
+
+namespace advlayers {
+
+// The sides of a patch of one face that is narrower than two sizes and whose walls along the long
+// sides, by the first heights that they ask for, leave no room for a layer; or that has no walls.
+std::optional<FourSides> find_narrow_strip(Evaluator& evaluator, const std::vector<FaceId>& faces,
+                                           const WallPlan& walls, const Settings& settings);
+
+// Its finished mesh. None where layers do have room, where facing sides are cut into different
+// numbers of segments, or where rows would make poor elements, leave the surface or be wider than
+// the size: then the patch is meshed like any other.
+std::optional<SurfaceMesh> mesh_in_rows(Evaluator& evaluator, PatchSurface& surface,
+                                        const Discretization& boundary, const FourSides& strip,
+                                        const WallPlan& walls, const Settings& settings);
+
+}  // namespace advlayers
