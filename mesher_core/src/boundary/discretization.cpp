@@ -26,7 +26,7 @@ constexpr double kSharpFold = 0.01;  // of the size: a fold narrower than this i
 constexpr int kMaxRounds = 200;
 // Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
 constexpr double kNormalAngle = M_PI / 6.0;
-constexpr int kMinLoop = 3;       // segments
+constexpr int kMinLoop = 3;  // segments
 
 class Discretizer {
  public:

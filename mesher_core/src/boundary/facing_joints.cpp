@@ -79,8 +79,7 @@ class JointFacer {
   void add(const std::vector<CoEdge>& side, double at) {
     for (const CoEdge& coedge : side) {
       std::vector<double>& joints = joints_[coedge.edge.index()];
-      const double length =
-          evaluator_.edge_length(coedge.edge, joints.front(), joints.back());
+      const double length = evaluator_.edge_length(coedge.edge, joints.front(), joints.back());
       if (at < length) {
         const double from_first = coedge.forward ? at : length - at;
         const double t = evaluator_.edge_parameter(coedge.edge, joints.front(), from_first);

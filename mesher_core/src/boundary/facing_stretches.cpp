@@ -93,9 +93,9 @@ void FacingStretches::add_pairs(const FourSides& strip, std::size_t side,
   if (a.size() != b.size()) return;
   std::reverse(b.begin(), b.end());  // the loop comes back along it
   for (std::size_t k = 0; k < a.size(); ++k) {
-    const auto [least, most] = std::minmax(stretches_[a[k].stretch].spacing.count(),
-                                           stretches_[b[k].stretch].spacing.count());
-    const double unlikeness = side == 0 ? static_cast<double>(most) / least : 1.0;
+    const double there = stretches_[a[k].stretch].spacing.count();
+    const double back = stretches_[b[k].stretch].spacing.count();
+    const double unlikeness = side == 0 ? std::max(there / back, back / there) : 1.0;
     pairs.push_back({a[k], {b[k].stretch, !b[k].reversed}, unlikeness});
   }
 }

@@ -48,7 +48,6 @@ class LayersAlong {
   }
 
  private:
-
   LayerSeries series_of(const MatchEnd& match) {
     const auto& stretches = stretches_.of(match.wall);
     const Stretch& wall = stretches_[match.wall_end == 0 ? stretches.front() : stretches.back()];

@@ -112,7 +112,10 @@ bool is_sound(const SurfaceMesh& mesh, PatchSurface& surface) {
 
 std::optional<FourSides> find_narrow_strip(Evaluator& evaluator, const std::vector<FaceId>& faces,
                                            const WallPlan& walls, const Settings& settings) {
-  if (faces.size() != 1 || settings.initial_nodes != nullptr) return std::nullopt;
+  if (faces.size() != 1 || settings.initial_nodes != nullptr ||
+      settings.core != CoreElements::kQuads) {
+    return std::nullopt;
+  }
   std::optional<FourSides> strip = find_four_sides(evaluator, faces.front());
   if (!strip) return std::nullopt;
   const StripWalls planned(*strip, walls);
@@ -131,7 +134,7 @@ std::optional<SurfaceMesh> mesh_in_rows(Evaluator& evaluator, PatchSurface& surf
       is_too_wide(*grid, SizeField(settings).of_face(strip.face)) || turns_too_much(*grid)) {
     return std::nullopt;
   }
-  SurfaceMesh mesh = grid->mesh(settings.core);
+  SurfaceMesh mesh = grid->mesh();
   if (!is_sound(mesh, surface)) return std::nullopt;
   return mesh;
 }

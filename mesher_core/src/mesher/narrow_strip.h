@@ -14,6 +14,7 @@ namespace advlayers {
 
 // The sides of a patch of one face that is narrower than two sizes and whose walls along the long
 // sides, by the first heights that they ask for, leave no room for a layer; or that has no walls.
+// None where the core is to be triangles, or has the places of an initial mesh.
 std::optional<FourSides> find_narrow_strip(Evaluator& evaluator, const std::vector<FaceId>& faces,
                                            const WallPlan& walls, const Settings& settings);
 

@@ -7,9 +7,11 @@
 
 #include "mesh/validate.h"
 #include "mesher/element_faces.h"
+#include "mesher/missed_heights.h"
 #include "mesher/narrow_strip.h"
 #include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
+#include "quality/core_collapses.h"
 #include "quality/core_improvement.h"
 #include "quality/core_region.h"
 #include "quality/imprint_edges.h"
@@ -31,7 +33,6 @@ void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
 
 // A first height this far from the one asked for, relative to it, is worth a warning.
 constexpr double kHeightMissed = 0.1;
-constexpr std::size_t kNamed = 3;  // walls in one warning
 
 // "collision (3), merged (2)": why columns ended, but for those that are complete.
 Sentence reasons_of(const WallReport& wall) {
@@ -42,34 +43,6 @@ Sentence reasons_of(const WallReport& wall) {
     all = all.empty() ? one : Sentence("{}, {}", all, one);
   }
   return all;
-}
-
-// One sentence for all such walls of a patch, the worst first: a faceted arc is many edges.
-Sentence missed_heights(std::vector<const WallReport*> walls) {
-  std::stable_sort(walls.begin(), walls.end(), [](const WallReport* a, const WallReport* b) {
-    return a->height_error > b->height_error;
-  });
-  double least = walls.front()->achieved_min, most = walls.front()->achieved_max, asked = 0.0;
-  for (const WallReport* wall : walls) {
-    least = std::min(least, wall->achieved_min);
-    most = std::max(most, wall->achieved_max);
-    asked += wall->first_height / static_cast<double>(walls.size());
-  }
-  std::string named;
-  for (std::size_t i = 0; i < std::min(walls.size(), kNamed); ++i) {
-    named += (i > 0 ? ", " : "") + edge_name(walls[i]->edge) + " / " + face_name(walls[i]->face);
-  }
-  const long error = std::lround(100.0 * walls.front()->height_error);
-  if (walls.size() <= kNamed) {
-    return Sentence(
-        "{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %",
-        named, least, most, asked, error);
-  }
-  return Sentence(
-      "{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by "
-      "up "
-      "to {} %",
-      named, walls.size() - kNamed, least, most, asked, error);
 }
 
 }  // namespace
@@ -229,6 +202,7 @@ int PatchJob::count_inverted(const CancelFlag& cancel) {
 void PatchJob::complete_along_edges(const Discretization& boundary, const CancelFlag& cancel) {
   SurfaceMesh across = mesh_;
   int crossing = imprint_edges(mesh_, surface_, boundary, cancel);
+  collapse_slivers(mesh_, cancel);
   complete(cancel);
   if (const int inverted = count_inverted(cancel); inverted > 0) {
     std::swap(mesh_, across);

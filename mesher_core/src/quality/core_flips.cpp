@@ -3,36 +3,21 @@
 #include <algorithm>
 
 #include "quality/core_region.h"
-#include "quality/element_measures.h"
+#include "quality/core_shape.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kLeastLeanCosine = 0.8660254037844386;  // of 30 degrees
 // A flip must gain, or round-off could turn an edge to and fro for ever.
 constexpr double kLeastGain = 1e-6;
 constexpr std::size_t kCancelStride = 256;
-
-struct Shape {
-  double sine = 0.0;  // of the smallest angle; negative: turned over
-  double lean = 0.0;  // cosine of the angle to the surface
-};
-
-Shape shape_of(const SurfaceMesh& mesh, VertexH a, VertexH b, VertexH c) {
-  const Vec3 surface = mesh.data(a).normal + mesh.data(b).normal + mesh.data(c).normal;
-  const Vec3& pa = mesh.position(a);
-  const Vec3 turn = (mesh.position(b) - pa).cross(mesh.position(c) - pa);
-  const double norms = turn.norm() * surface.norm();
-  return {min_angle_sine(pa, mesh.position(b), mesh.position(c), surface),
-          norms > 0.0 ? turn.dot(surface) / norms : -1.0};
-}
 
 bool flip_gains(const SurfaceMesh& mesh, HalfedgeH h) {
   const HalfedgeH t = SurfaceMesh::twin(h);
   const VertexH a = mesh.from(h), b = mesh.to(h);
   const VertexH c = mesh.to(mesh.next(h)), d = mesh.to(mesh.next(t));
-  const Shape left = shape_of(mesh, a, b, c), right = shape_of(mesh, b, a, d);
-  const Shape low = shape_of(mesh, a, d, c), high = shape_of(mesh, d, b, c);
+  const CoreShape left = shape_of(mesh, a, b, c), right = shape_of(mesh, b, a, d);
+  const CoreShape low = shape_of(mesh, a, d, c), high = shape_of(mesh, d, b, c);
   if (std::min(low.sine, high.sine) <= std::min(left.sine, right.sine) + kLeastGain) return false;
   return std::min(low.lean, high.lean) >= std::min({kLeastLeanCosine, left.lean, right.lean});
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/directions.h"
 
@@ -47,7 +48,7 @@ std::optional<StripGrid> StripGrid::lay_out(Evaluator& evaluator, const Discreti
     grid.sides_[k] = points_along(evaluator, boundary, face.face, face.sides[k]);
   }
   if (grid.sides_[0].size() != grid.sides_[2].size()) return std::nullopt;
-  if (grid.sides_[1].size() != grid.sides_[3].size()) return std::nullopt;
+  if (grid.sides_[1].size() != grid.sides_[3].size() || grid.meets_itself()) return std::nullopt;
   std::reverse(grid.sides_[2].begin(), grid.sides_[2].end());
   std::reverse(grid.sides_[3].begin(), grid.sides_[3].end());
   grid.columns_ = static_cast<int>(grid.sides_[0].size()) - 1;
@@ -56,8 +57,22 @@ std::optional<StripGrid> StripGrid::lay_out(Evaluator& evaluator, const Discreti
   return grid;
 }
 
+// But for a seam, which closes a band.
+bool StripGrid::meets_itself() const {
+  std::set<NodeId> nodes;
+  std::size_t points = 0;
+  for (const Side& side : sides_) {
+    for (std::size_t k = 0; k + 1 < side.size(); ++k) nodes.insert(side[k].node);
+    points += side.size() - 1;
+  }
+  for (const std::size_t k : {0, 1}) {
+    if (sides_[k].front().seam) points -= sides_[k].size();
+  }
+  return nodes.size() != points;
+}
+
 void StripGrid::place_points(Evaluator& evaluator, FaceId face) {
-  const auto &[low, right, high, left] = sides_;
+  const auto& [low, right, high, left] = sides_;
   const std::vector<double> along_low = shares_along(low), along_high = shares_along(high);
   const std::vector<double> up_left = shares_along(left), up_right = shares_along(right);
   points_.resize(index(columns_, rows_) + 1);
@@ -66,11 +81,11 @@ void StripGrid::place_points(Evaluator& evaluator, FaceId face) {
     for (int column = 0; column <= columns_; ++column) {
       const auto c = static_cast<std::size_t>(column);
       VertexData& data = points_[index(column, row)];
-      const BoundaryPoint* on = row == 0            ? &low[c]
-                                : row == rows_      ? &high[c]
-                                : column == 0       ? &left[r]
+      const BoundaryPoint* on = row == 0             ? &low[c]
+                                : row == rows_       ? &high[c]
+                                : column == 0        ? &left[r]
                                 : column == columns_ ? &right[r]
-                                                    : nullptr;
+                                                     : nullptr;
       Vec2 uv;
       if (on != nullptr) {
         uv = on->uv;
@@ -122,7 +137,7 @@ std::vector<VertexH> StripGrid::add_vertices(SurfaceMesh& mesh) const {
         vertices.push_back(known->second);
         continue;
       }
-      const bool across = row > 0 && row < rows_, along = column > 0 && column < columns_;
+      const bool across = row > 0 && row<rows_, along = column> 0 && column < columns_;
       const bool on_seam = (across && !along && sides_[3][static_cast<std::size_t>(row)].seam) ||
                            (along && !across && sides_[0][static_cast<std::size_t>(column)].seam);
       if (on_seam) {
@@ -154,7 +169,7 @@ void StripGrid::mark_border(SurfaceMesh& mesh, const std::vector<VertexH>& verti
   }
 }
 
-SurfaceMesh StripGrid::mesh(CoreElements elements) const {
+SurfaceMesh StripGrid::mesh() const {
   SurfaceMesh mesh;
   const std::vector<VertexH> vertices = add_vertices(mesh);
   std::vector<std::vector<VertexH>> faces;
@@ -162,14 +177,7 @@ SurfaceMesh StripGrid::mesh(CoreElements elements) const {
     for (int column = 0; column < columns_; ++column) {
       const VertexH a = vertices[index(column, row)], b = vertices[index(column + 1, row)],
                     c = vertices[index(column + 1, row + 1)], d = vertices[index(column, row + 1)];
-      if (elements == CoreElements::kQuads) {
-        faces.push_back({a, b, c, d});
-      } else if ((mesh.position(a) - mesh.position(c)).squaredNorm() <=
-                 (mesh.position(b) - mesh.position(d)).squaredNorm()) {
-        faces.insert(faces.end(), {{a, b, c}, {a, c, d}});
-      } else {
-        faces.insert(faces.end(), {{a, b, d}, {b, c, d}});
-      }
+      faces.push_back({a, b, c, d});
     }
   }
   mesh.build(faces);

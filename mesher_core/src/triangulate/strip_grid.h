@@ -8,14 +8,14 @@
 #include "boundary/discretization.h"
 #include "geometry/four_sides.h"
 #include "mesh/surface_mesh.h"
-#include "sizing/settings.h"
 
 namespace advlayers {
 
 class StripGrid {
  public:
   // Places the points inside between those of the boundary, by transfinite interpolation in (u, v).
-  // None where facing sides are cut into different numbers of segments.
+  // None where facing sides are cut into different numbers of segments, or the boundary touches
+  // itself at a node.
   static std::optional<StripGrid> lay_out(Evaluator& evaluator, const Discretization& boundary,
                                           const FourSides& face);
 
@@ -29,8 +29,8 @@ class StripGrid {
   // The largest angle [rad] by which the surface turns over a step of a column.
   double turn_across(int column) const;
 
-  // All layer 0; border edges are frozen and name their CAD edge.
-  SurfaceMesh mesh(CoreElements elements) const;
+  // Quads of layer 0; border edges are frozen and name their CAD edge.
+  SurfaceMesh mesh() const;
 
  private:
   struct BoundaryPoint {
@@ -49,6 +49,7 @@ class StripGrid {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
            static_cast<std::size_t>(column);
   }
+  bool meets_itself() const;
   void place_points(Evaluator& evaluator, FaceId face);
   std::vector<VertexH> add_vertices(SurfaceMesh& mesh) const;
   void mark_border(SurfaceMesh& mesh, const std::vector<VertexH>& vertices) const;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/directions.h"
 #include "layers/concave_scaling.h"
 #include "layers/front_index.h"
 #include "layers/walled_grid.h"

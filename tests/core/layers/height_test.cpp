@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "base/directions.h"
 #include "layers/layer_run.h"
 #include "layers/layer_shapes.h"
-#include "base/directions.h"
 #include "mesh/triangle_measures.h"
 
 namespace advlayers::test {
