@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/error.h"
 #include "geometry/model.h"
@@ -26,8 +25,8 @@ std::vector<double> divide_by_spacing(const std::vector<SpacingSample>& h, int l
   }
   const double total = shares.back();
   if (!(total < kMostSegments)) {
-    throw InvalidInput("size is too small: it would cut " + edge_name(edge) + " into " +
-                       std::to_string(total) + " segments");
+    throw InvalidInput("{} is too small: it would cut {} into {} segments", "size", edge_name(edge),
+                       total);
   }
   const int whole = static_cast<int>(std::ceil(total - kEvenSpread * (1.0 + total)));
   const int n = std::max(least_count, whole);
