@@ -43,18 +43,12 @@ def test_the_page_stores_what_it_shows(kept):
     assert not preferences.live_preview()
 
 
-def test_a_new_mesh_follows_the_preferences(kept):
+def test_a_new_mesh_follows_the_preferences(kept, box):
     assert preferences.settings() == {}
     kept.SetFloat("Growth", 1.35)
     kept.SetBool("Isotropic", True)
-    document = FreeCAD.newDocument("Preferred")
-    try:
-        box = document.addObject("Part::Box", "Box")
-        document.recompute()
-        select((box, ""))
-        run("LayerMesh")
-        mesh = document.getObject("LayerMesh")
-        assert (mesh.Growth, mesh.Layers) == (1.35, "isotropic")
-        close_panel()
-    finally:
-        FreeCAD.closeDocument(document.Name)
+    select((box, ""))
+    run("LayerMesh")
+    mesh = box.Document.getObject("LayerMesh")
+    assert (mesh.Growth, mesh.Layers) == (1.35, "isotropic")
+    close_panel()
