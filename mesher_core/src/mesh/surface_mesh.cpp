@@ -89,7 +89,14 @@ void SurfaceMesh::remove_vertex(VertexH v) {
   --live_vertices_;
 }
 
-void SurfaceMesh::build(const std::vector<std::vector<VertexH>>& faces) {
+void SurfaceMesh::build(const std::vector<std::vector<VertexH>>& faces) { build_of(faces); }
+
+void SurfaceMesh::build_triangles(const std::vector<std::array<VertexH, 3>>& triangles) {
+  build_of(triangles);
+}
+
+template <class Faces>
+void SurfaceMesh::build_of(const Faces& faces) {
   // Half-edges so far, chained by the vertex they start from: a hash map of all would cost more
   // than the rest of the building.
   std::vector<HalfedgeH> newest(vertex_out_.size()), older(to_.size());

@@ -24,6 +24,7 @@ class SurfaceMesh {
   // face vanish.
   // Throws InternalError where the result is no manifold with border.
   void build(const std::vector<std::vector<VertexH>>& faces);
+  void build_triangles(const std::vector<std::array<VertexH, 3>>& triangles);
 
   // --- sizes: capacities count tombstones, live counts do not ---
   std::size_t vertex_capacity() const { return vertex_out_.size(); }
@@ -126,6 +127,8 @@ class SurfaceMesh {
   HalfedgeH add_edge(VertexH from, VertexH to);
   FaceH add_face();
   void link(HalfedgeH a, HalfedgeH b);
+  template <class Faces>
+  void build_of(const Faces& faces);
   void link_border();
   void set_triangle(FaceH f, HalfedgeH a, HalfedgeH b, HalfedgeH c);
   std::vector<HalfedgeH> halfedges_by_vertices() const;

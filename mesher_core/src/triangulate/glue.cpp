@@ -1,6 +1,7 @@
 #include "triangulate/glue.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -198,19 +199,16 @@ class Gluer {
   GluedMesh make_mesh() {
     GluedMesh glued;
     make_vertices(glued);
-    std::vector<std::vector<VertexH>> faces;
+    std::vector<std::array<VertexH, 3>> triangles;
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
         cancel_.check();
         if (vanishes(s, t)) continue;
-        std::vector<VertexH> corners(3);
-        for (int i = 0; i < 3; ++i) {
-          corners[static_cast<std::size_t>(i)] = vertex_of_root_[root(corner(s, t, i))];
-        }
-        faces.push_back(std::move(corners));
+        const auto vertex = [&](int i) { return vertex_of_root_[root(corner(s, t, i))]; };
+        triangles.push_back({vertex(0), vertex(1), vertex(2)});
       }
     }
-    glued.mesh.build(faces);
+    glued.mesh.build_triangles(triangles);
     // A border side of a triangle that vanishes at a pole is the far side of that triangle as well.
     for_each_side([&](const SheetSide& side) {
       if (!is_border(side)) return;
