@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import re
 from typing import Any, Callable, Iterable, List, Optional
 
@@ -59,7 +60,30 @@ class Field:
         self.widget = None
 
 
-class QuantityField(Field):
+class RoundingField(Field):
+    """A number that its widget rounds: what it was to show stays as it is until it is edited."""
+
+    def __init__(self, entry: Setting, widget) -> None:
+        super().__init__(entry, widget)
+        self._rounded = self._exact = math.nan
+
+    def value(self) -> float:
+        held = self._held()
+        return self._exact if held == self._rounded else held
+
+    def show(self, value: float) -> None:
+        self._hold(value)
+        self._rounded, self._exact = self._held(), value
+
+    def _held(self) -> float:
+        """By the widget."""
+        raise NotImplementedError
+
+    def _hold(self, value: float) -> None:
+        raise NotImplementedError
+
+
+class QuantityField(RoundingField):
     """Lengths and angles, in the user's units."""
 
     def __init__(self, entry: Setting) -> None:
@@ -70,10 +94,10 @@ class QuantityField(Field):
         self.widget.setProperty("maximum", entry.high if entry.high is not None else _HIGHEST)
         self.widget.setProperty("keyboardTracking", False)
 
-    def value(self) -> float:
+    def _held(self) -> float:
         return float(self.widget.property("rawValue"))
 
-    def show(self, value: float) -> None:
+    def _hold(self, value: float) -> None:
         self.widget.setProperty("rawValue", float(value))
 
     def on_edited(self, act: Callable[[], None]) -> None:
@@ -109,7 +133,7 @@ def _quantity_box():
         return made
 
 
-class NumberField(Field):
+class NumberField(RoundingField):
     """Numbers without a unit."""
 
     def __init__(self, entry: Setting) -> None:
@@ -120,10 +144,10 @@ class NumberField(Field):
                              entry.high if entry.high is not None else _HIGHEST_NUMBER)
         self.widget.setKeyboardTracking(False)
 
-    def value(self) -> float:
+    def _held(self) -> float:
         return self.widget.value()
 
-    def show(self, value: float) -> None:
+    def _hold(self, value: float) -> None:
         self.widget.setValue(value)
 
     def on_edited(self, act: Callable[[], None]) -> None:
@@ -134,11 +158,11 @@ class CountField(NumberField):
     """Whole numbers."""
 
     def __init__(self, entry: Setting) -> None:
-        Field.__init__(self, entry, QtGui.QSpinBox())
+        RoundingField.__init__(self, entry, QtGui.QSpinBox())
         self.widget.setRange(int(entry.low or 0), _MOST)
         self.widget.setKeyboardTracking(False)
 
-    def show(self, value: float) -> None:
+    def _hold(self, value: float) -> None:
         self.widget.setValue(int(value))
 
 

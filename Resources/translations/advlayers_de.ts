@@ -1084,6 +1084,10 @@
         <translation>sie ist ein Pol ohne Länge</translation>
     </message>
     <message>
+        <source>it is not allowed to write there</source>
+        <translation>dort darf nicht geschrieben werden</translation>
+    </message>
+    <message>
         <source>its boundary is open after {}</source>
         <translation>ihr Rand ist offen nach {}</translation>
     </message>
@@ -1288,6 +1292,10 @@
         <translation>Hinweis</translation>
     </message>
     <message>
+        <source>nothing arrived there: the disk may be full</source>
+        <translation>dort ist nichts angekommen: vielleicht ist der Datenträger voll</translation>
+    </message>
+    <message>
         <source>of a new {} must not be empty</source>
         <translation>für das neue Objekt ({}) ist nichts gewählt</translation>
     </message>
@@ -1350,6 +1358,14 @@
     <message>
         <source>size and segments of an edge exclude each other</source>
         <translation>Elementgröße und Zahl der Abschnitte einer Kante schließen einander aus</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>the folder does not exist</source>
+        <translation>den Ordner gibt es nicht</translation>
     </message>
     <message>
         <source>the fronts have met</source>

@@ -1084,6 +1084,10 @@
         <translation>c'est un pôle sans longueur</translation>
     </message>
     <message>
+        <source>it is not allowed to write there</source>
+        <translation>l'écriture n'y est pas permise</translation>
+    </message>
+    <message>
         <source>its boundary is open after {}</source>
         <translation>son contour est ouvert après {}</translation>
     </message>
@@ -1288,6 +1292,10 @@
         <translation>remarque</translation>
     </message>
     <message>
+        <source>nothing arrived there: the disk may be full</source>
+        <translation>rien n'y est arrivé : le disque est peut-être plein</translation>
+    </message>
+    <message>
         <source>of a new {} must not be empty</source>
         <translation>rien n'est choisi pour le nouvel objet ({})</translation>
     </message>
@@ -1350,6 +1358,14 @@
     <message>
         <source>size and segments of an edge exclude each other</source>
         <translation>taille et nombre de segments d'une arête s'excluent</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
+        <source>the folder does not exist</source>
+        <translation>le dossier n'existe pas</translation>
     </message>
     <message>
         <source>the fronts have met</source>
