@@ -68,7 +68,8 @@ class ControlEditor:
             self._on_change()
 
     def _set_condition(self, index: int) -> None:
-        self._control.Condition = controls.CONDITIONS[index]
+        change_condition(self._control, controls.CONDITIONS[index])
+        self._name.setText(self._control.Label)
         self._show_values()
         self._on_change()
 
@@ -86,6 +87,15 @@ def condition_texts() -> Dict[str, str]:
     texts = {"Wall": tr("Wall"), "Match": tr("Match"), "Off": tr("Off"),
              "Boundary": tr("Boundary"), "Smooth": tr("Smooth")}
     return {condition: texts[condition] for condition in controls.CONDITIONS}
+
+
+def change_condition(wall, condition: str) -> None:
+    """A name that says no more than the condition changes with it."""
+    texts = condition_texts()
+    renamed = wall.Label == texts[wall.Condition]
+    wall.Condition = condition
+    if renamed:
+        wall.Label = texts[condition]
 
 
 def references_of(control, source) -> List[str]:

@@ -9,7 +9,8 @@ from advlayers import controls
 from advlayers.errors import InputError
 from advlayers.language import tr
 from advlayers.settings_table import property_name
-from advlayers_gui.control_editor import ControlEditor, condition_texts, references_of
+from advlayers_gui.control_editor import (
+    ControlEditor, change_condition, condition_texts, references_of)
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import tool_button
 from advlayers_gui.setting_fields import label_of
@@ -184,7 +185,7 @@ class ControlTable:
             self._changed_in_table(self._rows[item.row()])
 
     def _set_condition(self, control, index: int) -> None:
-        control.Condition = controls.CONDITIONS[index]
+        change_condition(control, controls.CONDITIONS[index])
         self._changed_in_table(control)
 
     def _changed_in_table(self, control) -> None:

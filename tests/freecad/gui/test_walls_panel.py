@@ -123,7 +123,7 @@ def test_conditions_in_the_table(mesh, box):
     assert table().rowCount() == 3
     assert [wall.Condition for wall in mesh.WallList] == ["Wall", "Off"]
     table().cellWidget(1, 0).setCurrentIndex(1)
-    assert mesh.WallList[1].Condition == "Match"
+    assert (mesh.WallList[1].Condition, mesh.WallList[1].Label) == ("Match", "Match")
     select((box, "Edge7"))
     choose("AdvLayersAddBoundary")
     assert mesh.WallList[2].Condition == "Boundary"
