@@ -321,10 +321,13 @@ class SettingsForm:
         self._fields: List[Field] = []
         self._given: List[Optional[Any]] = []
         titles = [self._add(entry, layout, optional) for entry in entries]
-        # Rows alike are laid out alike; and Qt sees whether a field fits beside the widest title.
+        # Rows alike are laid out alike; and Qt, which forgets the gap between the two, sees whether
+        # a field fits beside the widest title.
+        gap = max(layout.horizontalSpacing(), 6)
+        layout.setHorizontalSpacing(0)
         widest = max((title.sizeHint().width() for title in titles), default=0)
         for title in titles:
-            title.setMinimumWidth(widest)
+            title.setMinimumWidth(widest + gap)
         self.load()
         for field in self._fields:
             field.on_edited(self._edited)

@@ -3,7 +3,8 @@ from __future__ import annotations
 
 from PySide import QtGui
 
-_WRONG_COLOUR = "#c8202c"  # to be read on light and on dark
+# On a ground of its own: themes are light, dark and in between.
+_WRONG = "color: #8f1018; background-color: #fbe3e4; padding: 2px"
 
 
 class StatusLine:
@@ -13,5 +14,5 @@ class StatusLine:
         self.widget.setWordWrap(True)
 
     def say(self, text: str, wrong: bool = False) -> None:
-        self.widget.setStyleSheet(f"color: {_WRONG_COLOUR}" if wrong else "")
+        self.widget.setStyleSheet(_WRONG if wrong else "")
         self.widget.setText(text)

@@ -96,6 +96,16 @@ def test_what_the_mesher_has_to_say_is_translated(box, language, words):
     assert any("of 30 layers" in finding.text for finding in check.check(mesh))
 
 
+def cut_off(page):
+    """Fields of settings that reach over the page's edge, or have no room for a number."""
+    fields = [widget for widget in page.findChildren(QtGui.QWidget) if widget.isVisible()
+              and re.match("(LayerMesh|Wall|Size)_", widget.objectName())]
+    return [field.objectName() for field in fields
+            if field.mapTo(page, QtCore.QPoint(field.width(), 0)).x() > page.width()
+            or (isinstance(field, QtGui.QAbstractSpinBox)
+                and field.width() < field.fontMetrics().boundingRect("0.0000").width() + 20)]
+
+
 @pytest.mark.parametrize("language", ("English", "German", "French"))
 def test_the_panel_is_as_wide_as_its_room(box, language):
     """Longer words would have the right side of every page cut off."""
@@ -112,6 +122,7 @@ def test_the_panel_is_as_wide_as_its_room(box, language):
             child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(page)
             events()
             assert form.visibleRegion().boundingRect().width() == form.width()
+            assert cut_off(child(QtGui.QTabWidget, "AdvLayersTabs").currentWidget()) == []
         press_cancel()
     finally:
         FreeCADGui.setLocale("English")
