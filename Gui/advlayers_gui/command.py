@@ -49,15 +49,18 @@ class Command:
 
 
 class Transaction:
-    """One step of undo; taken back where the work inside fails."""
+    """One step of undo; taken back where the work inside fails, or gone with its document."""
 
     def __init__(self, document, name: str) -> None:
         self._document, self._name = document, name
+        self._document_name = document.Name
 
     def __enter__(self) -> None:
         self._document.openTransaction(self._name)
 
     def __exit__(self, kind, _error, _trace) -> None:
+        if self._document_name not in FreeCAD.listDocuments():
+            return
         if kind is None:
             self._document.commitTransaction()
         else:

@@ -28,7 +28,7 @@ class _OnMeshes(Command):
     def run_on(self, mesh) -> None:
         from advlayers_gui.progress_window import shown_progress
 
-        with shown_progress(mesh.Label):
+        with shown_progress(mesh):
             call_on(mesh, self.title, *self.CALL)
 
 

@@ -5,6 +5,7 @@ import contextlib
 import time
 from typing import Any, Iterator, List
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -30,11 +31,11 @@ def make_window(label: str, modality):
 
 
 @contextlib.contextmanager
-def shown_progress(label: str) -> Iterator[None]:
+def shown_progress(mesh_object) -> Iterator[None]:
     """While the block runs, layer_mesh.update() shows its progress. Raises Stopped where the user
-    stops it."""
-    window = make_window(label, QtCore.Qt.ApplicationModal)
-    token = window_watch.set(_Watch(window, label))
+    stops it, or closes the document."""
+    window = make_window(mesh_object.Label, QtCore.Qt.ApplicationModal)
+    token = window_watch.set(_Watch(window, mesh_object))
     try:
         yield
     finally:
@@ -44,8 +45,9 @@ def shown_progress(label: str) -> Iterator[None]:
 
 
 class _Watch:
-    def __init__(self, window, label: str) -> None:
-        self._window, self._label = window, label
+    def __init__(self, window, mesh_object) -> None:
+        self._window, self._label = window, mesh_object.Label
+        self._document = mesh_object.Document.Name
         self._start = time.monotonic()
         self._layers = self._elements = 0
 
@@ -59,5 +61,5 @@ class _Watch:
             label=self._label, layer=self._layers, elements=self._elements, seconds=seconds))
         self._window.setValue(0)
         QtCore.QCoreApplication.processEvents()
-        if self._window.wasCanceled():
+        if self._window.wasCanceled() or self._document not in FreeCAD.listDocuments():
             raise Stopped()

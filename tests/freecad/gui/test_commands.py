@@ -13,7 +13,8 @@ from advlayers.export import FORMATS
 from advlayers_gui import commands, mesh_commands
 from advlayers_gui.colour_commands import ColourBy
 from window import (
-    answer_message, child, close_panel, events, press_cancel, report_text, run, screenshot, select)
+    answer_message, child, close_panel, errors_since, events, press_cancel, report_text, run,
+    screenshot, select)
 
 
 @pytest.fixture
@@ -77,6 +78,16 @@ def test_update_and_undo(box, mesh):
     FreeCADGui.runCommand("Std_Redo")
     events()
     assert mesh.FemMesh.Nodes == updated
+
+
+def test_closing_the_document_ends_an_update(box, mesh):
+    """As quitting does: the run is not waited for."""
+    start, document = len(report_text()), box.Document.Name
+    mesh.Size = 0.2
+    QtCore.QTimer.singleShot(20, lambda: FreeCAD.closeDocument(document))
+    run("Update")
+    assert document not in FreeCAD.listDocuments()
+    assert errors_since(start) == []
 
 
 def test_a_stopped_update_leaves_everything(box, mesh, monkeypatch):
