@@ -1,8 +1,10 @@
 """Checked settings to the core's, and the core's loop."""
 from __future__ import annotations
 
+import atexit
 import queue
 import threading
+import weakref
 from typing import Any, Callable, Dict, List, Mapping, Optional
 
 from advlayers import collector
@@ -41,6 +43,11 @@ def _given(entry: Mapping[str, Any]) -> Dict[str, Any]:
             for key, value in entry.items() if value not in (None, ())}
 
 
+# [s] that the end of the program waits for a run to stop, which takes well under 0.1 as a rule.
+_LAST_WAIT = 5.0
+_runs: "weakref.WeakSet[Run]" = weakref.WeakSet()
+
+
 class Run:
     """Pulls the layers out of a core Mesher in a thread of its own, so that the calling thread
     stays free for Ctrl-C, a progress line or a window's events.
@@ -64,6 +71,7 @@ class Run:
 
     def start(self) -> None:
         collector.keep_out_of_threads()
+        _runs.add(self)
         self._thread.start()
 
     @property
@@ -140,3 +148,12 @@ class Run:
     def _check(self) -> None:
         if self._cancelled.is_set():
             raise Stopped()
+
+
+@atexit.register
+def _stop_all() -> None:
+    """Python ends the threads that are left, and C++ calls that for a crash."""
+    for run in list(_runs):
+        if run.running:
+            run.cancel()
+            run.wait(_LAST_WAIT)

@@ -23,6 +23,19 @@ QtCore.QTimer.singleShot(0, run)
 """
 
 
+_SESSION = """
+import os, traceback
+from PySide import QtCore
+def run():
+    try:
+        exec(compile(open({code!r}).read(), {code!r}, "exec"), {{}})
+    except BaseException:
+        traceback.print_exc()
+        os._exit(3)
+QtCore.QTimer.singleShot(0, run)
+"""
+
+
 def link_add_on(home):
     (home / "Mod").mkdir(parents=True, exist_ok=True)
     (home / "Mod" / "AdvancingLayers").symlink_to(ROOT)
@@ -42,12 +55,23 @@ def copy_without_core(home):
 def run(home, code):
     """What the code put into `seen`, and what FreeCAD printed."""
     home.mkdir(exist_ok=True)
-    note, script, body = home / "seen.json", home / "start.py", home / "body.py"
-    body.write_text(textwrap.dedent(code))
-    script.write_text(_SCRIPT.format(code=str(body), note=str(note), root=ROOT))
-    done = subprocess.run(
-        ["freecad", str(script)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-        timeout=120, check=False, env={**os.environ, "FREECAD_USER_HOME": str(home)})
+    note = home / "seen.json"
+    done = _start(home, code, _SCRIPT, note=str(note), root=ROOT)
     seen = json.loads(note.read_text())
     assert "error" not in seen, seen["error"]
     return seen, done.stdout + done.stderr
+
+
+def run_until_it_quits(home, code):
+    """The exit status, and what FreeCAD printed; the code sees to it that FreeCAD quits."""
+    done = _start(home, code, _SESSION)
+    return done.returncode, done.stdout + done.stderr
+
+
+def _start(home, code, template, **values):
+    script, body = home / "start.py", home / "body.py"
+    body.write_text(textwrap.dedent(code))
+    script.write_text(template.format(code=str(body), **values))
+    return subprocess.run(
+        ["freecad", str(script)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+        timeout=120, check=False, env={**os.environ, "FREECAD_USER_HOME": str(home)})
