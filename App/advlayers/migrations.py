@@ -7,6 +7,7 @@ from typing import Callable, Dict
 import FreeCAD
 
 from advlayers import controls
+from advlayers.language import tr
 from advlayers.settings_check import check_all
 from advlayers.settings_table import MESH_SETTINGS
 
@@ -15,9 +16,9 @@ def migrate(document_object) -> None:
     """Files without a version are of version 1. Those of a later program are left as they are."""
     version = document_object.SchemaVersion or 1
     if version > CURRENT:
-        FreeCAD.Console.PrintWarning(
-            f"{document_object.Label} was saved by a later version of Advancing Layers "
-            f"(schema {version}, here {CURRENT}): some of its settings may not be seen.\n")
+        FreeCAD.Console.PrintWarning(tr(
+            "{} was saved by a later version of Advancing Layers (schema {}, here {}): some of its "
+            "settings may not be seen.").format(document_object.Label, version, CURRENT) + "\n")
         return
     while version < CURRENT:
         _STEPS[version](document_object)

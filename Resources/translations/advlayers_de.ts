@@ -1704,6 +1704,10 @@
         <translation>{} Volumen</translation>
     </message>
     <message>
+        <source>{} was saved by a later version of Advancing Layers (schema {}, here {}): some of its settings may not be seen.</source>
+        <translation>{} wurde von einer späteren Fassung von Advancing Layers gespeichert (Schema {}, hier {}): Einige Einstellungen sind vielleicht nicht zu sehen.</translation>
+    </message>
+    <message>
         <source>{} would cut {} into millions of segments</source>
         <translation>{} würde {} in Millionen Abschnitte teilen</translation>
     </message>

@@ -1704,6 +1704,10 @@
         <translation>{} volume</translation>
     </message>
     <message>
+        <source>{} was saved by a later version of Advancing Layers (schema {}, here {}): some of its settings may not be seen.</source>
+        <translation>{} a été enregistré par une version plus récente d'Advancing Layers (schéma {}, ici {}) : certains réglages ne sont peut-être pas visibles.</translation>
+    </message>
+    <message>
         <source>{} would cut {} into millions of segments</source>
         <translation>{} couperait {} en millions de segments</translation>
     </message>

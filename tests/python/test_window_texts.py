@@ -6,7 +6,7 @@ import os
 import pytest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-WINDOW = sorted(glob.glob(os.path.join(ROOT, "Gui", "advlayers_gui", "*.py")))
+WINDOW = sorted(glob.glob(os.path.join(ROOT, "*", "advlayers*", "*.py")))
 # What puts a text before the user's eyes.
 SHOWING = {
     "QLabel", "QPushButton", "QCheckBox", "QGroupBox", "QListWidgetItem", "QTableWidgetItem",
