@@ -24,6 +24,10 @@ constexpr double kJump = 1.25;
 constexpr double kSizeTolerance = 1.1;
 constexpr double kSharpFold = 0.01;  // of the size: a fold narrower than this is not followed
 constexpr int kMaxRounds = 200;
+// Stretches that are cut alike, but differ in length, are shortened by their neighbours in so many
+// rounds alone: over a ring of strips one could shorten the other without end.
+constexpr int kGroupRounds = 12;
+constexpr int kFacingRounds = 6;  // of giving both ends of strips as many segments
 // Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
 constexpr double kNormalAngle = M_PI / 6.0;
 constexpr int kMinLoop = 3;  // segments
@@ -50,9 +54,7 @@ class Discretizer {
     }
     grade();
     while (part_coincident() || lengthen_loops()) grade();
-    facing_.emplace(strips_, stretches_);
-    facing_->cut_groups();
-    grade();
+    face_strips();
     notes_ = run_layers_along(evaluator_, match_ends, stretches_);
     return collect();
   }
@@ -174,6 +176,13 @@ class Discretizer {
     return !edge.start.valid() && gap.norm() <= edge.tolerance ? first : joint_count_++;
   }
 
+  void face_strips() {
+    facing_.emplace(strips_, stretches_);
+    facing_->cut(std::vector<char>(stretches_.all.size(), 1));
+    grade();
+    for (int round = 0; round < kFacingRounds && facing_->even_out_ends(); ++round) grade();
+  }
+
   // Lowers the ends of long segments beside short ones until none jumps. Each round looks at the
   // state before it, so that the outcome does not depend on the order of edges.
   void grade() {
@@ -186,21 +195,27 @@ class Discretizer {
           least = std::min(least, s.spacing.end_segment(end));
         }
       }
-      bool changed = false;
-      for (std::size_t i = 0; i < stretches_.all.size(); ++i) {
-        Stretch& s = stretches_[i];
-        if (s.spacing.fixed() || (facing_ && facing_->is_grouped(i))) continue;
-        bool lowered = false;
+      std::vector<char> lowered(stretches_.all.size(), 0);
+      for (std::size_t i = 0; i < lowered.size(); ++i) {
+        EdgeSpacing& spacing = stretches_[i].spacing;
+        if (spacing.fixed()) continue;
+        if (facing_ && facing_->is_grouped(i) && round >= kGroupRounds) continue;
         for (int end = 0; end < 2; ++end) {
-          const double least = shortest[static_cast<std::size_t>(s.joints[end])];
-          if (s.spacing.end_segment(end) <= kMaxJump * (1.0 + 1e-9) * least) continue;
-          s.spacing.limit_end(end, kJump * least);
-          lowered = true;
+          const double least = shortest[static_cast<std::size_t>(stretches_[i].joints[end])];
+          if (spacing.end_segment(end) <= kMaxJump * (1.0 + 1e-9) * least) continue;
+          spacing.limit_end(end, kJump * least);
+          lowered[i] = 1;
         }
-        if (lowered) s.spacing.cut();
-        changed = changed || lowered;
       }
-      if (!changed) return;
+      if (std::find(lowered.begin(), lowered.end(), 1) == lowered.end()) return;
+      cut(lowered);
+    }
+  }
+
+  void cut(const std::vector<char>& chosen) {
+    if (facing_) return facing_->cut(chosen);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (chosen[i]) stretches_[i].spacing.cut();
     }
   }
 

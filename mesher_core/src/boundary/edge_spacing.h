@@ -2,6 +2,7 @@
 // placed so that each segment holds an equal share.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -33,7 +34,7 @@ class EdgeSpacing {
 
   double length() const { return samples_.back().s; }
   // At least so many segments.
-  void require(int count) { required_ = count; }
+  void require(int count) { required_ = std::max(required_, count); }
   // The segment at an end (0: the begin) is to be about `spacing` long, and those after it to grow
   // from there. Only ever lowered.
   void limit_end(int end, double spacing);

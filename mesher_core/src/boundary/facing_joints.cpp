@@ -18,14 +18,9 @@ class JointFacer {
 
   // Returns whether a joint was added.
   bool face(const FourSides& strip) {
-    bool added = false;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double across = 0.5 * (strip.lengths[k + 1] + strip.lengths[(k + 3) % 4]);
-      added = face(strip.sides[k], strip.lengths[k], strip.sides[k + 2], strip.lengths[k + 2],
-                   kReach * across) ||
-              added;
-    }
-    return added;
+    const double across = 0.5 * (strip.lengths[1] + strip.lengths[3]);
+    return face(strip.sides[0], strip.lengths[0], strip.sides[2], strip.lengths[2],
+                kReach * across);
   }
 
  private:

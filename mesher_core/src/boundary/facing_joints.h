@@ -8,7 +8,7 @@
 namespace advlayers {
 
 // Adds to the joints of edges (by EdgeId: parameters, rising, ends included; empty for edges that
-// are not cut) until facing sides of every strip are divided alike.
+// are not cut) until the long sides of every strip are divided alike.
 void face_joints(Evaluator& evaluator, const std::vector<FourSides>& strips,
                  std::vector<std::vector<double>>& joints);
 

@@ -10,6 +10,8 @@ namespace {
 // Long sides of which one would be cut into more than so many times the segments of the other stay
 // as they are: either would be far too fine.
 constexpr double kMostUnlike = 2.0;
+// Nor may they be so unlike in length: grading would refine one for the other without end.
+constexpr double kMostLonger = 1.4;
 constexpr double kSameShare = 1e-9;
 
 // The finest of several spacings, each over its own length, as shares of it from 0 to 1.
@@ -67,7 +69,8 @@ FacingStretches::FacingStretches(const std::vector<FourSides>& strips, Stretches
   }
   std::vector<Pair> pairs;
   for (const FourSides& strip : strips) {
-    for (const std::size_t side : {0, 1}) add_pairs(strip, side, pairs);
+    add_pairs(strip, pairs);
+    ends_.push_back({along(strip.sides[1]), along(strip.sides[3])});
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.unlikeness < b.unlikeness; });
@@ -86,23 +89,24 @@ std::vector<FacingStretches::Member> FacingStretches::along(const std::vector<Co
   return members;
 }
 
-void FacingStretches::add_pairs(const FourSides& strip, std::size_t side,
-                                std::vector<Pair>& pairs) const {
-  const std::vector<Member> a = along(strip.sides[side]);
-  std::vector<Member> b = along(strip.sides[side + 2]);
+// Of the long sides; none where they are not divided into as many stretches.
+void FacingStretches::add_pairs(const FourSides& strip, std::vector<Pair>& pairs) const {
+  const std::vector<Member> a = along(strip.sides[0]);
+  std::vector<Member> b = along(strip.sides[2]);
   if (a.size() != b.size()) return;
   std::reverse(b.begin(), b.end());  // the loop comes back along it
   for (std::size_t k = 0; k < a.size(); ++k) {
     const double there = stretches_[a[k].stretch].spacing.count();
     const double back = stretches_[b[k].stretch].spacing.count();
-    const double unlikeness = side == 0 ? std::max(there / back, back / there) : 1.0;
-    pairs.push_back({a[k], {b[k].stretch, !b[k].reversed}, unlikeness});
+    pairs.push_back({a[k], {b[k].stretch, !b[k].reversed}, std::max(there / back, back / there)});
   }
 }
 
 void FacingStretches::join(const Pair& pair) {
   const std::size_t a = group_of_[pair.a.stretch], b = group_of_[pair.b.stretch];
-  if (a == b || pair.unlikeness > kMostUnlike) return;
+  const double ratio =
+      stretches_[pair.a.stretch].spacing.length() / stretches_[pair.b.stretch].spacing.length();
+  if (a == b || pair.unlikeness > kMostUnlike || std::max(ratio, 1.0 / ratio) > kMostLonger) return;
   const bool turned = (pair.a.reversed != pair.b.reversed) !=
                       ((reversed_[pair.a.stretch] != 0) != (reversed_[pair.b.stretch] != 0));
   for (Member member : groups_[b]) {
@@ -115,6 +119,10 @@ void FacingStretches::join(const Pair& pair) {
 }
 
 void FacingStretches::cut_group(const std::vector<Member>& group) {
+  if (group.size() == 1) {
+    stretches_[group.front().stretch].spacing.cut();
+    return;
+  }
   FinestSpacing finest;
   int required = 1;
   for (const Member& member : group) {
@@ -133,10 +141,38 @@ void FacingStretches::cut_group(const std::vector<Member>& group) {
   }
 }
 
-void FacingStretches::cut_groups() {
-  for (const auto& group : groups_) {
-    if (group.size() > 1) cut_group(group);
+void FacingStretches::cut(const std::vector<char>& chosen) {
+  std::vector<char> done(groups_.size(), 0);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (!chosen[i] || done[group_of_[i]]) continue;
+    done[group_of_[i]] = 1;
+    cut_group(groups_[group_of_[i]]);
   }
+}
+
+int FacingStretches::segments_on(const std::vector<Member>& side) const {
+  int segments = 0;
+  for (const Member& member : side) segments += stretches_[member.stretch].spacing.count();
+  return segments;
+}
+
+// The longest stretch of the end that has fewer takes what is missing.
+bool FacingStretches::even_out_ends() {
+  std::vector<char> raised(stretches_.all.size(), 0);
+  for (const Ends& ends : ends_) {
+    const int missing = segments_on(ends.a) - segments_on(ends.b);
+    if (missing == 0) continue;
+    const std::vector<Member>& fewer = missing < 0 ? ends.a : ends.b;
+    const Member& longest =
+        *std::max_element(fewer.begin(), fewer.end(), [this](const Member& m, const Member& n) {
+          return stretches_[m.stretch].spacing.length() < stretches_[n.stretch].spacing.length();
+        });
+    EdgeSpacing& spacing = stretches_[longest.stretch].spacing;
+    spacing.require(spacing.count() + std::abs(missing));
+    raised[longest.stretch] = 1;
+  }
+  cut(raised);
+  return std::find(raised.begin(), raised.end(), 1) != raised.end();
 }
 
 }  // namespace advlayers

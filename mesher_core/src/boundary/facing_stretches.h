@@ -15,9 +15,12 @@ class FacingStretches {
   // itself; long ones of very different numbers of segments stay as they are.
   FacingStretches(const std::vector<FourSides>& strips, Stretches& stretches);
 
-  // Cuts those that are to be cut alike at the same shares of their lengths, so finely that no
-  // segment is longer than any of them asks for.
-  void cut_groups();
+  // Cuts the chosen stretches anew, and those that face them along a strip at the same shares of
+  // their lengths, so finely that no segment is longer than any of them asks for.
+  void cut(const std::vector<char>& chosen);
+  // Gives the ends of each strip as many segments. Returns whether any took more.
+  bool even_out_ends();
+  // Whether another has a say in how it is cut.
   bool is_grouped(std::size_t stretch) const { return groups_[group_of_[stretch]].size() > 1; }
 
  private:
@@ -27,10 +30,15 @@ class FacingStretches {
   };
   struct Pair {
     Member a, b;
-    double unlikeness;  // of the numbers of segments, 1 and more
+    double unlikeness = 1.0;  // of the numbers of segments, 1 and more
   };
 
-  void add_pairs(const FourSides& strip, std::size_t side, std::vector<Pair>& pairs) const;
+  struct Ends {
+    std::vector<Member> a, b;
+  };
+
+  void add_pairs(const FourSides& strip, std::vector<Pair>& pairs) const;
+  int segments_on(const std::vector<Member>& side) const;
   std::vector<Member> along(const std::vector<CoEdge>& side) const;
   void join(const Pair& pair);
   void cut_group(const std::vector<Member>& group);
@@ -39,6 +47,7 @@ class FacingStretches {
   std::vector<std::vector<Member>> groups_;
   std::vector<std::size_t> group_of_;  // by stretch
   std::vector<char> reversed_;         // within its group
+  std::vector<Ends> ends_;
 };
 
 }  // namespace advlayers

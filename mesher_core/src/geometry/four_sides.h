@@ -17,7 +17,10 @@ struct FourSides {
   std::array<std::vector<CoEdge>, 4> sides;
   std::array<double, 4> lengths;  // [mm]
 
-  double width() const { return std::max(lengths[1], lengths[3]); }  // at its ends
+  // From side 0 to side 2, on the whole [mm].
+  double width(const Model& model) const {
+    return 2.0 * model.face(face).area / (lengths[0] + lengths[2]);
+  }
 };
 
 // None where the boundary is not one loop, or turns sharply at fewer or more than four places.

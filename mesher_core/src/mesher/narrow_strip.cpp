@@ -82,7 +82,7 @@ bool has_room(const StripGrid& grid, const StripWalls& walls) {
 bool is_too_wide(const StripGrid& grid, double size) {
   const double most = size * std::min(kNarrow, kWidest * grid.rows());
   for (int column = 0; column <= grid.columns(); ++column) {
-    if (grid.width(column) > most) return true;
+    if (grid.length(column) > most) return true;
   }
   return false;
 }
@@ -119,8 +119,9 @@ std::optional<FourSides> find_narrow_strip(Evaluator& evaluator, const std::vect
   std::optional<FourSides> strip = find_four_sides(evaluator, faces.front());
   if (!strip) return std::nullopt;
   const StripWalls planned(*strip, walls);
-  if (strip->width() > kNarrow * SizeField(settings).of_face(faces.front()) ||
-      !planned.bound_patch() || planned.are_mixed() || planned.leave_room(strip->width())) {
+  const double width = strip->width(evaluator.model());
+  if (width > kNarrow * SizeField(settings).of_face(faces.front()) || !planned.bound_patch() ||
+      planned.are_mixed() || planned.leave_room(width)) {
     return std::nullopt;
   }
   return strip;

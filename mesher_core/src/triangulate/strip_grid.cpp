@@ -108,12 +108,23 @@ void StripGrid::place_points(Evaluator& evaluator, FaceId face) {
   }
 }
 
-double StripGrid::width(int column) const {
-  double width = 0.0;
+double StripGrid::length(int column) const {
+  double length = 0.0;
   for (int row = 0; row < rows_; ++row) {
-    width += (at(column, row + 1).point.xyz - at(column, row).point.xyz).norm();
+    length += (at(column, row + 1).point.xyz - at(column, row).point.xyz).norm();
   }
-  return width;
+  return length;
+}
+
+double StripGrid::width(int column) const {
+  const Vec3 across = at(column, rows_).point.xyz - at(column, 0).point.xyz;
+  double sine = 1.0;
+  for (const int row : {0, rows_}) {
+    const Vec3 along = at(std::min(column + 1, columns_), row).point.xyz -
+                       at(std::max(column - 1, 0), row).point.xyz;
+    sine = std::min(sine, across.cross(along).norm() / (across.norm() * along.norm()));
+  }
+  return length(column) * sine;
 }
 
 double StripGrid::turn_across(int column) const {

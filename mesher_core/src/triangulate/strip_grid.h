@@ -24,7 +24,8 @@ class StripGrid {
   // Row 0 is the face's side 0, column 0 its side 3. The same point, by its node, where a seam
   // closes the grid.
   const VertexData& at(int column, int row) const { return points_[index(column, row)]; }
-  // Length across the face, from side 0 to side 2 [mm].
+  // Length of a column [mm], and that of the way straight across, where it is slanted.
+  double length(int column) const;
   double width(int column) const;
   // The largest angle [rad] by which the surface turns over a step of a column.
   double turn_across(int column) const;

@@ -55,13 +55,13 @@ class Strip : public testing::Test {
     shares.pop_back();
     return shares;
   }
+  // And both ends have as many segments.
   void expect_facing(const Discretization& boundary) const {
-    for (const std::size_t side : {0, 1}) {
-      const std::vector<double> there = shares(boundary, side), back = shares(boundary, side + 2);
-      ASSERT_EQ(there.size(), back.size()) << side;
-      for (std::size_t k = 0; k < there.size(); ++k) {
-        EXPECT_NEAR(there[k], 1.0 - back[back.size() - 1 - k], 1e-9);
-      }
+    EXPECT_EQ(shares(boundary, 1).size(), shares(boundary, 3).size());
+    const std::vector<double> there = shares(boundary, 0), back = shares(boundary, 2);
+    ASSERT_EQ(there.size(), back.size());
+    for (std::size_t k = 0; k < there.size(); ++k) {
+      EXPECT_NEAR(there[k], 1.0 - back[back.size() - 1 - k], 1e-9);
     }
   }
 
@@ -138,6 +138,26 @@ TEST_F(Joined, ANodeFacesTheVertex) {
     }
   }
   EXPECT_EQ(at_vertex, 2U);
+}
+
+// A tiny edge beside a corner: an end has a segment more than the other by itself.
+class Blunted : public Strip {
+ protected:
+  Blunted() : Strip({{0, 0, 0}, {9, 0, 0}, {9, 0.02, 0}, {9, 0.3, 0}, {0, 0.3, 0}}) {}
+};
+
+TEST_F(Blunted, EndsHaveAsManySegmentsAndNeighboursDoNotJump) {
+  const Discretization boundary = cut(settings_of(0.7));
+  expect_facing(boundary);
+  for (std::size_t side = 0; side < 4; ++side) {
+    std::vector<double> ends = shares(boundary, side);
+    ends.insert(ends.begin(), 0.0);
+    ends.push_back(1.0);
+    for (std::size_t k = 2; k < ends.size(); ++k) {
+      const double ratio = (ends[k] - ends[k - 1]) / (ends[k - 1] - ends[k - 2]);
+      EXPECT_LT(std::max(ratio, 1 / ratio), 1.5 * (1 + 1e-6)) << side;
+    }
+  }
 }
 
 TEST(FourSides, NeedFourCorners) {
