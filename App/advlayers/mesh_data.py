@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, Generator, List, Mapping, Tuple
 
 import numpy as np
@@ -140,7 +140,16 @@ def reading(mesh_object) -> Generator[None, None, MeshData]:
             mesh_object.MeshId, mesh_object.FemMesh.FaceCount):
         return data
     mesh = yield from element_mesh.reading(mesh_object.FemMesh)
+    mesh = replace(mesh, nodes=_unmoved(mesh.nodes, mesh_object.FemMesh.Placement))
     report = json.loads(mesh_object.Details) if mesh_object.Details else {}
     data = MeshData(mesh, mesh_object.HeightErrors, report)
     remember(mesh_object, data)
     return data
+
+
+def _unmoved(nodes, placement):
+    """As the core made them, and as a view provider shows what its object's placement moves."""
+    if placement.isIdentity():
+        return nodes
+    back = np.array(placement.inverse().toMatrix().A).reshape(4, 4)
+    return nodes @ back[:3, :3].T + back[:3, 3]

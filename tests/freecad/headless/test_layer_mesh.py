@@ -6,7 +6,7 @@ import Fem
 import FreeCAD
 import numpy as np
 import pytest
-from advlayers import layer_mesh
+from advlayers import layer_mesh, mesh_data
 from advlayers.errors import InputError
 from advlayers.mesh_properties import property_settings
 
@@ -259,3 +259,17 @@ def test_init_finds_the_packages():
     root = os.path.join(FreeCAD.getUserAppDataDir(), "Mod", "AdvancingLayers")
     assert os.path.join(root, "App") in [os.path.normpath(entry) for entry in sys.path]
     assert advlayers.__file__.startswith(os.path.join(root, "App"))
+
+
+def test_a_moved_mesh_is_read_as_it_was_made(box):
+    """Its view provider moves what it shows."""
+    made = advlayers.make_layer_mesh(box, size=5)
+    data = mesh_data.of_object(made)
+    made.Placement = FreeCAD.Placement(FreeCAD.Vector(100, 20, 3),
+                                       FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 40))
+    assert made.FemMesh.BoundBox.XMin > 50
+    made.Proxy.latest = ("", None)  # as after opening a file
+    again = mesh_data.of_object(made)
+    assert again is not data
+    np.testing.assert_allclose(again.mesh.nodes, data.mesh.nodes, atol=1e-9)
+    assert (again.mesh.quads == data.mesh.quads).all()
