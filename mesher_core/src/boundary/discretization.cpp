@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "boundary/edge_creases.h"
 #include "boundary/edge_overshoot.h"
@@ -77,11 +78,12 @@ class Discretizer {
   // Strips but for those with edges that the user has cut, or that layers run along.
   void choose_strips(const std::vector<FourSides>& strips,
                      const std::vector<MatchEnd>& match_ends) {
+    std::set<EdgeId> along_layers;
+    for (const MatchEnd& match : match_ends) along_layers.insert(match.edge);
     const auto is_given = [&](const CoEdge& coedge) {
       const SizeSpec* spec = sizes_.edge_spec(coedge.edge);
       return (spec != nullptr && (spec->segments || spec->cluster)) ||
-             std::any_of(match_ends.begin(), match_ends.end(),
-                         [&](const MatchEnd& match) { return match.edge == coedge.edge; });
+             along_layers.count(coedge.edge) > 0;
     };
     for (const FourSides& strip : strips) {
       if (std::none_of(strip.sides.begin(), strip.sides.end(), [&](const auto& side) {

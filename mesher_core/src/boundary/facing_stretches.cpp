@@ -30,26 +30,28 @@ class FinestSpacing {
 
   std::vector<SpacingSample> samples() {
     std::sort(shares_.begin(), shares_.end());
+    std::vector<std::size_t> reached(profiles_.size(), 1);
     std::vector<SpacingSample> finest;
     for (const double share : shares_) {
       if (!finest.empty() && share - finest.back().s < kSameShare) continue;
-      finest.push_back({share, spacing_at(share)});
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t p = 0; p < profiles_.size(); ++p) {
+        least = std::min(least, spacing_at(share, profiles_[p], reached[p]));
+      }
+      finest.push_back({share, least});
     }
     finest.back().s = 1.0;
     return finest;
   }
 
  private:
-  double spacing_at(double share) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& profile : profiles_) {
-      std::size_t k = 1;
-      while (k + 1 < profile.size() && profile[k].s < share) ++k;
-      const SpacingSample &a = profile[k - 1], &b = profile[k];
-      const double part = std::clamp((share - a.s) / (b.s - a.s), 0.0, 1.0);
-      least = std::min(least, a.spacing + part * (b.spacing - a.spacing));
-    }
-    return least;
+  // `reached` only goes on from one share to the next.
+  static double spacing_at(double share, const std::vector<SpacingSample>& profile,
+                           std::size_t& reached) {
+    while (reached + 1 < profile.size() && profile[reached].s < share) ++reached;
+    const SpacingSample &a = profile[reached - 1], &b = profile[reached];
+    const double part = std::clamp((share - a.s) / (b.s - a.s), 0.0, 1.0);
+    return a.spacing + part * (b.spacing - a.spacing);
   }
 
   std::vector<double> shares_;
