@@ -1005,7 +1005,7 @@
     </message>
     <message>
         <source>in layers</source>
-        <translation>dans les couches</translation>
+        <translation>en couches</translation>
     </message>
     <message>
         <source>in the core</source>
