@@ -15,13 +15,15 @@ mesh = advlayers.make_layer_mesh(
     plate, mesh_now=False, size=5, first_height=0.02, growth=1.05, layers=48,
     sizes=[{"edges": [f"Edge{k}" for k in (1, 2, 3, 4)], "segments": 20000}])
 def answer():
-    box = QtGui.QApplication.activeModalWidget()
-    if not isinstance(box, QtGui.QMessageBox):
+    # The window of a command's progress may have come up over the question.
+    boxes = [widget for widget in QtGui.QApplication.topLevelWidgets()
+             if isinstance(widget, QtGui.QMessageBox) and widget.isVisible()]
+    for box in boxes:
+        for button in box.buttons():
+            if box.buttonRole(button) == QtGui.QMessageBox.DestructiveRole:
+                button.click()
+    if not boxes:
         QtCore.QTimer.singleShot(50, answer)
-        return
-    for button in box.buttons():
-        if box.buttonRole(button) == QtGui.QMessageBox.DestructiveRole:
-            button.click()
 def quit_amid(running):
     if running():
         print("running", flush=True)
