@@ -1,4 +1,5 @@
 #include <exception>
+#include <utility>
 
 #include "base/error.h"
 #include "bindings.h"
@@ -31,7 +32,7 @@ void bind_told(py::module_& module, const char* name, PyObject* base, const char
   python_class<Error>() = kind.release();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const Error& error) {
       raise(python_class<Error>(), error.what(), error.sentence());
     }
