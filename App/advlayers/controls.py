@@ -16,7 +16,7 @@ from advlayers.language import tr
 from advlayers.picked_names import link_value, names_on
 from advlayers.properties import (
     HIDDEN, add_setting, from_property, plain_values, to_property)
-from advlayers.proxy import Stateless, attach_view
+from advlayers.proxy import Stateless
 from advlayers.references import Picker, Problem, remembered
 from advlayers.references import problems as reference_problems
 from advlayers.sentence import Sentence
@@ -24,6 +24,7 @@ from advlayers.settings_check import check_all
 from advlayers.settings_table import (
     REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, property_name,
     setting, unset_value)
+from advlayers.window import attach_view
 
 CONDITIONS = ("Wall", "Match", "Off", "Boundary", "Smooth")
 _REFERENCES = "References"

@@ -23,11 +23,12 @@ from advlayers.mesh_data import MeshData
 from advlayers.mesh_properties import add_properties, clear_results, property_settings
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import from_property, plain_values, to_property
-from advlayers.proxy import Stateless, attach_view, draw_view, prepare_view, show_mesh
+from advlayers.proxy import Stateless
 from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.sentence import Sentence, listed
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS, property_name
+from advlayers.window import attach_view, draw_view, prepare_view, show_mesh, update_beside
 
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = "Not meshed", "Up to date", "Out of date"
 LOST_REFERENCES = "Lost references"
@@ -176,9 +177,7 @@ def _update_by_itself(document_object) -> None:
     """Within a recompute. A window is not kept waiting: it has the mesh a while later. Raises what
     update() does."""
     if FreeCAD.GuiUp:
-        from advlayers_gui import automatic_update
-
-        automatic_update.ask(document_object, prepare(document_object))
+        update_beside(document_object, prepare(document_object))
     else:
         update(document_object)
 

@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, List, Tuple
 import FreeCAD
 
 from advlayers.fem_mesh import compact
-from advlayers.proxy import draw_view, redraw_view
+from advlayers.window import draw_view, redraw_view
 
 _Key = Tuple[str, str]  # names of document and object
 

@@ -3,7 +3,7 @@ says any more what they are."""
 from __future__ import annotations
 
 from advlayers import controls, layer_mesh
-from advlayers.proxy import attach_view
+from advlayers.window import attach_view
 
 # A property that only this kind of object has, and its class.
 _MARKS = (("MeshedSettings", layer_mesh.LayerMesh), ("Condition", controls.Wall),
