@@ -24,7 +24,8 @@ class _Colour(Command):
             view = f"{in_code(mesh)}.ViewObject"
             do(f"{view}.DisplayMode = {self.MODE!r}")
             do(f"{view}.Visibility = True")
-            do(f"{in_code(mesh.Part)}.ViewObject.Visibility = False")
+            if mesh.Part is not None:
+                do(f"{in_code(mesh.Part)}.ViewObject.Visibility = False")
 
 
 class ColourByLayer(_Colour):

@@ -162,6 +162,9 @@ def test_the_toolbar_and_the_menu_offer_the_colours(box, mesh):
     assert mesh.ViewObject.DisplayMode == other.ViewObject.DisplayMode == ColourBy.MEMBERS[1].MODE
     select((mesh, ""))
     assert "AdvLayers_ColourBy" in commands.context_commands()
+    box.Document.removeObject(box.Name)
+    run("Uncoloured")
+    assert mesh.ViewObject.DisplayMode == plain
 
 
 def test_export_asks_for_a_file(mesh, tmp_path, monkeypatch):
