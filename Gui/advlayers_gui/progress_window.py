@@ -23,9 +23,10 @@ def make_window(label: str, modality):
     window.setWindowTitle(TITLE)
     window.setLabelText(label)
     window.setCancelButtonText(tr("Stop"))
-    window.setRange(0, 0)
-    window.setMinimumDuration(_DELAY)
     window.setWindowModality(modality)
+    window.setMinimumDuration(_DELAY)
+    window.setValue(0)  # the delay begins; without it Qt waits for four seconds
+    window.setRange(0, 0)
     window.setAttribute(QtCore.Qt.WA_ShowWithoutActivating)
     return window
 
@@ -59,7 +60,6 @@ class _Watch:
             else tr("{label}: {seconds} s")
         self._window.setLabelText(text.format(
             label=self._label, layer=self._layers, elements=self._elements, seconds=seconds))
-        self._window.setValue(0)
         QtCore.QCoreApplication.processEvents()
         if self._window.wasCanceled() or self._document not in FreeCAD.listDocuments():
             raise Stopped()

@@ -10,7 +10,7 @@ from advlayers_gui import automatic_update
 from window import (
     child, edit, events, press_cancel, press_ok, report_text, screenshot, wait_for)
 
-FINE = 0.1  # [mm] a size that takes some 10 s
+FINE = 0.08  # [mm] a size that takes several seconds
 
 
 @pytest.fixture
