@@ -14,14 +14,14 @@
 #include <string>
 
 #include "boundary/discretization.h"
+#include "core/core_improvement.h"
 #include "geometry/model.h"
 #include "layers/patch_layers.h"
+#include "measure/core_region.h"
+#include "mend/inversion.h"
 #include "mesher/figures.h"
 #include "mesher/patch_plan.h"
-#include "quality/core_improvement.h"
-#include "quality/core_region.h"
-#include "quality/inversion.h"
-#include "quality/recombine.h"
+#include "quads/recombine.h"
 #include "triangulate/triangulate.h"
 
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "quality/face_sides.h"
-#include "quality/inversion.h"
+#include "imprint/face_sides.h"
+#include "mend/inversion.h"
 
 namespace advlayers {
 namespace {

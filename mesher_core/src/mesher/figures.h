@@ -1,7 +1,7 @@
 // Quality figures of a finished mesh, counted as the report and the bars define them.
 #pragma once
 
-#include "quality/element_measures.h"
+#include "measure/element_measures.h"
 
 namespace advlayers {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quality/element_measures.h"
-#include "quality/inversion.h"
+#include "measure/element_measures.h"
+#include "mend/inversion.h"
 #include "sizing/gap_rule.h"
 #include "sizing/size_field.h"
 #include "triangulate/strip_grid.h"

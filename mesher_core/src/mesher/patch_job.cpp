@@ -5,19 +5,19 @@
 #include <new>
 #include <utility>
 
+#include "core/core_collapses.h"
+#include "core/core_improvement.h"
+#include "imprint/imprint_edges.h"
+#include "measure/core_region.h"
+#include "mend/inversion.h"
+#include "mend/split_inside.h"
 #include "mesh/validate.h"
 #include "mesher/element_faces.h"
 #include "mesher/missed_heights.h"
 #include "mesher/narrow_strip.h"
 #include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
-#include "quality/core_collapses.h"
-#include "quality/core_improvement.h"
-#include "quality/core_region.h"
-#include "quality/imprint_edges.h"
-#include "quality/inversion.h"
-#include "quality/recombine.h"
-#include "quality/split_inside.h"
+#include "quads/recombine.h"
 #include "triangulate/triangulate.h"
 
 namespace advlayers {

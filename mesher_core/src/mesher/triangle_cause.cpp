@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "quality/core_region.h"
+#include "measure/core_region.h"
 
 namespace advlayers {
 namespace {

@@ -1,0 +1,96 @@
+#include "quads/recombine.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/star_smoothing.h"
+#include "measure/core_region.h"
+#include "measure/element_measures.h"
+#include "quads/matching.h"
+#include "quads/seam_repair.h"
+#include "quads/triangle_pairs.h"
+#include "quads/triangle_walk.h"
+
+namespace advlayers {
+namespace {
+
+// A pair is refused where a corner is below 14 or above 166 degrees: further than the paper's 30
+// and 150 (II.H), as smoothing opens it; held to those, some pairs come apart for good.
+constexpr double kLeastQuality = 0.03;  // 1 - cos 14
+
+constexpr int kSeamSweeps = 10;
+constexpr int kSweeps = 5;
+constexpr int kRounds = 8;
+
+struct Candidates {
+  std::vector<HalfedgeH> diagonal;  // one per pair edge
+  std::vector<PairEdge> pairs;
+  std::vector<FaceH> face;  // by node of the pair graph
+};
+
+double pair_quality(const SurfaceMesh& mesh, HalfedgeH h) {
+  return quad_quality(mesh, mesh.from(h), mesh.to(mesh.next(SurfaceMesh::twin(h))), mesh.to(h),
+                      mesh.to(mesh.next(h)));
+}
+
+Candidates find_candidates(const SurfaceMesh& mesh, const CancelFlag& cancel) {
+  Candidates found;
+  std::vector<int> node(mesh.face_capacity(), -1);
+  const auto node_of = [&](FaceH f) {
+    int& number = node[f.index()];
+    if (number < 0) {
+      number = static_cast<int>(found.face.size());
+      found.face.push_back(f);
+    }
+    return number;
+  };
+  for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
+    cancel.check();
+    const HalfedgeH h(i);
+    if (!mesh.alive(h) || mesh.combine_veto(h) != Veto::kNone) continue;
+    const double quality = pair_quality(mesh, h);
+    if (quality < kLeastQuality) continue;
+    found.diagonal.push_back(h);
+    const int a = node_of(mesh.face(h));
+    found.pairs.push_back({a, node_of(mesh.face(SurfaceMesh::twin(h))), quality});
+  }
+  return found;
+}
+
+void combine_pair(SurfaceMesh& mesh, HalfedgeH diagonal) {
+  const int layer = std::max(mesh.data(mesh.face(diagonal)).layer,
+                             mesh.data(mesh.face(SurfaceMesh::twin(diagonal))).layer);
+  mesh.data(mesh.combine(diagonal)).layer = layer;
+}
+
+void pair_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
+  const Candidates found = find_candidates(mesh, cancel);
+  const auto matched = match_pairs(static_cast<int>(found.face.size()), found.pairs, cancel);
+  for (std::size_t e = 0; e < found.pairs.size(); ++e) {
+    cancel.check();
+    if (matched[static_cast<std::size_t>(found.pairs[e].a)] != static_cast<int>(e)) continue;
+    const HalfedgeH diagonal = found.diagonal[e];
+    if (mesh.combine_veto(diagonal) == Veto::kNone) combine_pair(mesh, diagonal);
+  }
+}
+
+}  // namespace
+
+void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel,
+               const RecombineSteps& steps) {
+  pair_triangles(mesh, cancel);
+  const std::vector<VertexH> free = free_vertices(mesh), seam = seam_vertices(mesh);
+  for (int round = 0; round < kRounds; ++round) {
+    const int joined = steps.walks ? join_triangles(mesh, cancel) : 0;
+    if (round > 0 && joined == 0) break;
+    if (!steps.smoothing) continue;
+    smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweeps, cancel);
+    smooth_stars(mesh, surface, seam, QuadTarget::kRectangle, kSweeps, cancel);
+  }
+  if (steps.pairs) close_triangle_pairs(mesh, cancel);
+  if (steps.pentagons) recut_pentagons(mesh, cancel);
+  if (!steps.smoothing) return;
+  smooth_stars(mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps, cancel);
+}
+
+}  // namespace advlayers

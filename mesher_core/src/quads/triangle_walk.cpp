@@ -1,0 +1,163 @@
+#include "quads/triangle_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "measure/core_region.h"
+#include "measure/element_measures.h"
+#include "quads/pentagon.h"
+
+namespace advlayers {
+namespace {
+
+// Quads a triangle may walk across, and faces one search may look at.
+constexpr std::size_t kLongestWalk = 10;
+constexpr std::size_t kSearchLimit = 250;
+constexpr std::size_t kMostGoals = 8;
+// Smoothing opens a corner that is not folded; a quad worse than this it rarely saves.
+constexpr double kLeastQuad = 0.03;
+constexpr double kLeastTriangle = 0.1;  // sine of the smallest angle
+
+struct Plan {
+  double worst = -1.0;
+  std::array<PentagonCut, kLongestWalk> cuts{};
+};
+
+class Walker {
+ public:
+  explicit Walker(SurfaceMesh& mesh) : mesh_(mesh), reached_(mesh.face_capacity(), HalfedgeH()) {}
+  bool join(FaceH start);
+
+ private:
+  void find_goals(FaceH start);
+  void trace_route(FaceH start, FaceH goal);
+  void plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Plan& best) const;
+  bool carry_out(const Plan& plan);
+  double triangle_quality(VertexH a, VertexH b, VertexH c) const;
+
+  SurfaceMesh& mesh_;
+  std::vector<HalfedgeH> reached_;  // by face: the half-edge, inside it, that it was entered over
+  std::vector<FaceH> touched_, goals_;
+  std::vector<HalfedgeH> route_;  // half-edges crossed, seen from the face that is left
+};
+
+VertexH apex(const SurfaceMesh& mesh, HalfedgeH h) { return mesh.to(mesh.next(h)); }
+
+double Walker::triangle_quality(VertexH a, VertexH b, VertexH c) const {
+  return min_angle_sine(mesh_.position(a), mesh_.position(b), mesh_.position(c),
+                        mesh_.data(a).normal);
+}
+
+// Breadth first over quads to the nearest other triangles.
+void Walker::find_goals(FaceH start) {
+  goals_.clear();
+  if (reached_.size() < mesh_.face_capacity()) reached_.resize(mesh_.face_capacity());
+  touched_.assign(1, start);
+  reached_[start.index()] = mesh_.halfedge(start);
+  for (std::size_t i = 0; i < touched_.size() && i < kSearchLimit; ++i) {
+    const HalfedgeH first = mesh_.halfedge(touched_[i]);
+    if (i > 0 && mesh_.is_triangle(first)) continue;
+    HalfedgeH h = first;
+    do {
+      const HalfedgeH beyond = SurfaceMesh::twin(h);
+      if (is_core_edge(mesh_, h) && !reached_[mesh_.face(beyond).index()].valid()) {
+        const FaceH next = mesh_.face(beyond);
+        reached_[next.index()] = beyond;
+        touched_.push_back(next);
+        if (mesh_.is_triangle(beyond)) goals_.push_back(next);
+      }
+      h = mesh_.next(h);
+    } while (h != first);
+    if (goals_.size() >= kMostGoals) break;
+  }
+}
+
+void Walker::trace_route(FaceH start, FaceH goal) {
+  route_.clear();
+  for (FaceH f = goal; f != start;) {
+    const HalfedgeH left = SurfaceMesh::twin(reached_[f.index()]);
+    route_.push_back(left);
+    f = mesh_.face(left);
+  }
+  std::reverse(route_.begin(), route_.end());
+}
+
+// The two corners to cut so that the triangle reaches the edge that leads on.
+std::array<PentagonCut, 2> cuts_towards(const SurfaceMesh& mesh, HalfedgeH entered,
+                                        HalfedgeH leaving) {
+  if (leaving == mesh.next(entered)) return {PentagonCut::kA, PentagonCut::kD};
+  if (leaving == mesh.prev(entered)) return {PentagonCut::kB, PentagonCut::kC};
+  return {PentagonCut::kC, PentagonCut::kD};
+}
+
+// Every way to go on from here, depth first; `best` holds the one whose worst element is best.
+void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Plan& best) const {
+  if (worst <= best.worst) return;
+  const HalfedgeH leaving = route_[step];
+  if (step + 1 == route_.size()) {
+    const double last = quad_quality(mesh_, p, mesh_.from(leaving),
+                                     apex(mesh_, SurfaceMesh::twin(leaving)), mesh_.to(leaving));
+    if (last < kLeastQuad || std::min(worst, last) <= best.worst) return;
+    best = plan;
+    best.worst = std::min(worst, last);
+    return;
+  }
+  const Pentagon pentagon = pentagon_at(mesh_, leaving, p);
+  for (const PentagonCut cut : cuts_towards(mesh_, SurfaceMesh::twin(leaving), route_[step + 1])) {
+    const PentagonHalves halves = halves_of(pentagon, cut);
+    const auto& [t0, t1, t2] = halves.triangle;
+    if (triangle_quality(t0, t1, t2) < kLeastTriangle) continue;
+    const double quad =
+        quad_quality(mesh_, halves.quad[0], halves.quad[1], halves.quad[2], halves.quad[3]);
+    if (quad < kLeastQuad) continue;
+    const VertexH from = mesh_.from(route_[step + 1]), to = mesh_.to(route_[step + 1]);
+    VertexH third = t0;
+    if (third == from || third == to) third = t1;
+    if (third == from || third == to) third = t2;
+    plan.cuts[step] = cut;
+    plan_from(step + 1, third, std::min(worst, quad), plan, best);
+  }
+}
+
+bool Walker::carry_out(const Plan& plan) {
+  for (std::size_t step = 0; step + 1 < route_.size(); ++step) {
+    if (!recut(mesh_, route_[step], plan.cuts[step])) return false;
+  }
+  if (mesh_.combine_veto(route_.back()) != Veto::kNone) return false;
+  mesh_.combine(route_.back());
+  return true;
+}
+
+bool Walker::join(FaceH start) {
+  find_goals(start);
+  bool joined = false;
+  for (std::size_t i = 0; i < goals_.size() && !joined; ++i) {
+    trace_route(start, goals_[i]);
+    if (route_.size() > kLongestWalk) break;
+    Plan plan, best;
+    plan_from(0, apex(mesh_, route_.front()), 2.0, plan, best);
+    if (best.worst < kLeastQuad) continue;
+    joined = carry_out(best);
+    // A walk that topology stopped half-way has moved the triangle: what was found is void.
+    if (!joined) break;
+  }
+  for (const FaceH f : touched_) reached_[f.index()] = HalfedgeH();
+  return joined;
+}
+
+}  // namespace
+
+int join_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
+  Walker walker(mesh);
+  int pairs = 0;
+  for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    const FaceH f(i);
+    if (!mesh.alive(f) || !is_core(mesh, f) || !mesh.is_triangle(mesh.halfedge(f))) continue;
+    cancel.check();
+    pairs += walker.join(f);
+  }
+  return pairs;
+}
+
+}  // namespace advlayers
