@@ -5,6 +5,7 @@ from typing import List
 
 import FreeCADGui
 
+import advlayers_commands
 from advlayers_gui import colour_commands, make_commands, mesh_commands
 
 # In the order of toolbar and menu; None: a separator.
@@ -25,7 +26,7 @@ def register() -> List[str]:
     for kind in (*colour_commands.ColourBy.MEMBERS, *filter(None, COMMANDS)):
         # Another command of that name would leave the buttons of the first one to themselves.
         if _name(kind) not in known:
-            FreeCADGui.addCommand(_name(kind), kind())
+            advlayers_commands.add(_name(kind), kind())
     return [_name(kind) if kind else "Separator" for kind in COMMANDS]
 
 

@@ -174,8 +174,21 @@ def attach_to(document_object) -> None:
         return
     if not isinstance(view_object.Proxy, (LayerMeshView, ControlView)):
         _give_provider(document_object, view_object)
+        if document_object.Document.Restoring:
+            _show_restored(document_object)
     if not is_control(document_object):
         keep_all_faces(document_object)
+
+
+def _show_restored(document_object) -> None:
+    """FreeCAD hides all that a file says nothing of, and one saved without a window says nothing:
+    its document would open as an empty view."""
+    if is_control(document_object):
+        document_object.ViewObject.Visibility = True
+    elif document_object.FemMesh.FaceCount:
+        show_mesh(document_object)
+    elif document_object.Part is not None:
+        document_object.Part.ViewObject.Visibility = True
 
 
 def _give_provider(document_object, view_object) -> None:
