@@ -23,6 +23,9 @@ from advlayers.triangle_mesh import triangles_of
 
 _POLL = 0.05  # [s] between two looks at the program
 _MSH_TRIANGLE, _MSH_TETRAHEDRON = 2, 4
+# FreeCAD (SMESH, MED and UNV too) sees the first three nodes of a tetrahedron turn clockwise from
+# the fourth; files of Gmsh and CalculiX have them the other way round.
+_TO_FREECAD = (1, 0, 2, 3)
 
 
 def fill(mesh_object):
@@ -182,7 +185,8 @@ def _fem_mesh(mesh, nodes, cells, elements, tetrahedra):
         fem.addNode(*point, number)
     for number, cell in enumerate((cells + 1).tolist(), 1):
         fem.addFace(cell, number)
-    for number, cell in enumerate((tetrahedra + 1).tolist(), len(cells) + 1):
+    cells_of_freecad = tetrahedra[:, _TO_FREECAD] + 1
+    for number, cell in enumerate(cells_of_freecad.tolist(), len(cells) + 1):
         fem.addVolume(cell, number)
     for group in mesh.groups:
         ids = group.ids

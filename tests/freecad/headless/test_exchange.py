@@ -65,13 +65,20 @@ def test_triangles_keep_all_of_each_quad(box, mesh):
     assert made.Mesh.isSolid() and not made.Mesh.hasNonManifolds()
 
 
-def volume_of(fem):
+def volumes_of(fem):
+    """By the sign that FreeCAD's own meshes have, see test_tetrahedra_turn_as_freecads_own."""
     nodes = {number: np.array(point) for number, point in fem.Nodes.items()}
-    total = 0.0
+    volumes = []
     for number in fem.Volumes:
-        a, b, c, d = (nodes[node] for node in fem.getElementNodes(number))
-        total += abs(np.dot(b - a, np.cross(c - a, d - a))) / 6.0
-    return total
+        a, b, c, d = (nodes[node] for node in fem.getElementNodes(number)[:4])
+        volumes.append(np.dot(np.cross(c - a, b - a), d - a) / 6.0)
+    return np.array(volumes)
+
+
+def volume_of(fem):
+    volumes = volumes_of(fem)
+    assert (volumes > 0.0).all()
+    return volumes.sum()
 
 
 def needs_gmsh():
@@ -92,6 +99,18 @@ def test_a_volume_fills_the_surface(box, mesh):
     assert {number: fem.Nodes[number] for number in surface} == surface
     names = {fem.getGroupName(i): len(fem.getGroupElements(i)) for i in fem.Groups}
     assert names["inlet"] == names["Face1"] > 0 and made.Part is box
+
+
+def test_tetrahedra_turn_as_freecads_own(box, mesh):
+    needs_gmsh()
+    from femmesh import gmshtools
+
+    own = ObjectsFem.makeMeshGmsh(box.Document, "Own")
+    setattr(own, "Part" if hasattr(own, "Part") else "Shape", box)
+    own.CharacteristicLengthMax, own.ElementOrder, own.ElementDimension = 5, "1st", "3D"
+    gmshtools.GmshTools(own).create_mesh()
+    assert (volumes_of(own.FemMesh) > 0.0).all()
+    assert (volumes_of(volume_fill.fill(mesh).FemMesh) > 0.0).all()
 
 
 def test_a_volume_with_a_cavity_and_two_solids(box):
