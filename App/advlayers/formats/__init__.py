@@ -1,0 +1,1 @@
+"""Mesh files: one module a format, over the one description of a mesh in mesh_parts."""
