@@ -1660,6 +1660,14 @@
         <translation>{} trifft die Wand {} unter {} Grad auf {}: Schichten enden dort, statt daran entlangzulaufen</translation>
     </message>
     <message>
+        <source>{} mid nodes follow the curved edges beside them less than in proportion: curved elements would be turned over</source>
+        <translation>{} Mittelknoten folgen den gekrümmten Kanten neben ihnen weniger als im Verhältnis: gekrümmte Elemente wären sonst umgestülpt</translation>
+    </message>
+    <message>
+        <source>{} mid nodes lie off the shape, by up to {} mm: on it, curved elements would be turned over</source>
+        <translation>{} Mittelknoten liegen neben der Form, um bis zu {} mm: auf ihr wären gekrümmte Elemente umgestülpt</translation>
+    </message>
+    <message>
         <source>{} must be {}, got {}</source>
         <translation>{}: verlangt ist {}, angegeben {}</translation>
     </message>

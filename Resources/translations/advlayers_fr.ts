@@ -1660,6 +1660,14 @@
         <translation>{} rencontre la paroi {} à {} degrés sur {} : les couches y finissent au lieu de la longer</translation>
     </message>
     <message>
+        <source>{} mid nodes follow the curved edges beside them less than in proportion: curved elements would be turned over</source>
+        <translation>{} nœuds milieux suivent les arêtes courbes voisines moins qu'en proportion : sinon, des éléments courbes seraient retournés</translation>
+    </message>
+    <message>
+        <source>{} mid nodes lie off the shape, by up to {} mm: on it, curved elements would be turned over</source>
+        <translation>{} nœuds milieux sont hors de la forme, jusqu'à {} mm : sur elle, des éléments courbes seraient retournés</translation>
+    </message>
+    <message>
         <source>{} must be {}, got {}</source>
         <translation>{} : attendu {}, donné {}</translation>
     </message>

@@ -1,3 +1,4 @@
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -5,7 +6,9 @@
 
 #include "base/error.h"
 #include "bindings.h"
+#include "geometry/evaluator.h"
 #include "geometry/model.h"
+#include "geometry/solids.h"
 #include "setting_values.h"
 
 namespace py = pybind11;
@@ -38,6 +41,38 @@ void check_file_at(const py::object& path) {
   check_file(name);
 }
 
+std::vector<std::vector<int>> solids(const Model& model) {
+  std::vector<std::vector<int>> all;
+  for (const auto& faces : solids_of(model)) {
+    std::vector<int>& numbers = all.emplace_back();
+    for (const FaceId face : faces) numbers.push_back(face.value + 1);
+  }
+  return all;
+}
+
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+Points project(const Model& model, int number, const Points& points) {
+  if (number < 1 || static_cast<std::size_t>(number) > model.faces().size()) {
+    throw InvalidInput("{}: there is no {}, faces of the model: {}", "face",
+                       face_name(FaceId(number - 1)), model.faces().size());
+  }
+  if (points.ndim() != 2 || points.shape(1) != 3) {
+    throw InvalidInput("points must be an array of rows of three numbers");
+  }
+  Points feet(std::vector<py::ssize_t>{points.shape(0), 3});
+  const auto given = points.unchecked<2>();
+  auto found = feet.mutable_unchecked<2>();
+  const py::gil_scoped_release release;
+  Evaluator evaluator(model);
+  for (py::ssize_t i = 0; i < given.shape(0); ++i) {
+    const Vec3 xyz(given(i, 0), given(i, 1), given(i, 2));
+    const Vec3 foot = evaluator.closest(FaceId(number - 1), xyz).xyz;
+    for (py::ssize_t k = 0; k < 3; ++k) found(i, k) = foot[k];
+  }
+  return feet;
+}
+
 std::string describe(const Model& model) {
   return "<Model: " + std::to_string(model.faces().size()) + " faces, " +
          std::to_string(model.given_edges()) + " edges, " +
@@ -57,6 +92,11 @@ void bind_model(py::module_& module) {
       .def_property_readonly("diagonal", &Model::diagonal, "Diagonal of the bounding box [mm].")
       .def_property_readonly("closed", &Model::closed,
                              "Whether every edge of a face is used by exactly two face sides.")
+      .def_property_readonly("solids", &solids,
+                             "The numbers of the faces around each solid, those of cavities too.")
+      .def("project", &project, py::arg("face"), py::arg("points"),
+           "The point of a face, by number from 1, that is nearest to each of the points (n, 3)\n"
+           "[mm]. Raises InvalidInput for a face that is not there.")
       .def("__repr__", &describe);
   module.def(
       "read_brep", &model_of_text, py::arg("text"), py::arg("sew_tolerance") = 0.0,

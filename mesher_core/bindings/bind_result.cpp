@@ -49,17 +49,23 @@ py::array face_numbers(const py::object& self) {
   return rows<int>(values.data(), values.size(), 1, self);
 }
 
-py::array nodes(const py::object& self) {
-  const auto& values = mesh_of(self).nodes;
+template <auto kMember>
+py::array points(const py::object& self) {
+  const auto& values = mesh_of(self).*kMember;
   return rows<double>(values.data(), values.size(), 3, self);
 }
 
-py::dict edge_segments(const py::object& self) {
+// By CAD edge, where it has any.
+template <auto kMember>
+py::dict of_edges(const py::object& self) {
   py::dict by_edge;
-  const auto& segments = mesh_of(self).edge_segments;
-  for (std::size_t e = 0; e < segments.size(); ++e) {
-    if (segments[e].empty()) continue;
-    by_edge[py::int_(e + 1)] = rows<int>(segments[e].data(), segments[e].size(), 2, self);
+  const auto& lists = mesh_of(self).*kMember;
+  constexpr std::size_t kRowBytes =
+      sizeof(typename std::decay_t<decltype(lists)>::value_type::value_type);
+  for (std::size_t e = 0; e < lists.size(); ++e) {
+    if (lists[e].empty()) continue;
+    by_edge[py::int_(e + 1)] =
+        rows<int>(lists[e].data(), lists[e].size(), kRowBytes / sizeof(int), self);
   }
   return by_edge;
 }
@@ -194,7 +200,7 @@ void bind_result(py::module_& module) {
   py::class_<MeshView, std::shared_ptr<MeshView>>(
       module, "Mesh",
       "A finished mesh, frozen: its arrays are read-only views. Node indices count from 0.")
-      .def_property_readonly("nodes", &nodes, "(n, 3) float64 [mm]")
+      .def_property_readonly("nodes", &points<&MeshResult::nodes>, "(n, 3) float64 [mm]")
       .def_property_readonly("quads", &ints<&MeshResult::quads>,
                              "(q, 4) int32, counter-clockwise against the outward normal")
       .def_property_readonly("triangles", &ints<&MeshResult::triangles>, "(t, 3) int32")
@@ -209,8 +215,16 @@ void bind_result(py::module_& module) {
                              "(n,) int32, the node it was extruded from; -1: none")
       .def_property_readonly("node_layer", &ints<&MeshResult::node_layer>,
                              "(n,) int32, the layer it was extruded in; 0: boundary or core")
-      .def_property_readonly("edge_segments", &edge_segments,
+      .def_property_readonly("edge_segments", &of_edges<&MeshResult::edge_segments>,
                              "CAD edge number (from 1) -> (k, 2) int32, mesh edges in order")
+      .def_property_readonly("mid_nodes", &points<&MeshResult::mid_nodes>,
+                             "(m, 3) float64 [mm], at order 2; numbered on from len(nodes)")
+      .def_property_readonly("mids_of_quad", &ints<&MeshResult::quad_mids>,
+                             "(q, 4) int32 at order 2: between corners k and k + 1")
+      .def_property_readonly("mids_of_triangle", &ints<&MeshResult::triangle_mids>,
+                             "(t, 3) int32 at order 2")
+      .def_property_readonly("mids_of_segment", &of_edges<&MeshResult::segment_mids>,
+                             "CAD edge number -> (k,) int32 at order 2, beside edge_segments")
       .def_property_readonly("patches", &patches, "One dictionary per patch.")
       .def_property_readonly("walls", &walls,
                              "One dictionary per wall edge and face: asked and achieved.")

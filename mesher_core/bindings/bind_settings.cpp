@@ -63,6 +63,7 @@ const Keyword kKeywords[] = {
     {"sizes", set_sizes},
     {"refinements", set_refinements},
     {"core", set_core},
+    {"order", [](const py::handle& v, Settings& s) { s.order = count(v, "order"); }},
     {"walls", set_walls},
     {"match",
      [](const py::handle& v, Settings& s) { s.match_edges = names<EdgeId>(v, "match", "Edge"); }},
@@ -109,9 +110,9 @@ std::string describe(const Settings& settings) {
 
 constexpr const char* kDoc =
     "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=0,\n"
-    "curvature_angle=20, size_growth=1.4, sizes=[], refinements=[], core=\"quads\", "
-    "walls=\"all\",\n"
-    "match=[], off=[], boundary=[], smooth=[], faces=\"all\", initial_mesh=None, threads=0)\n\n"
+    "curvature_angle=20, size_growth=1.4, sizes=[], refinements=[], core=\"quads\", order=1,\n"
+    "walls=\"all\", match=[], off=[], boundary=[], smooth=[], faces=\"all\", initial_mesh=None, "
+    "threads=0)\n\n"
     "size, first_height in mm; angles in degrees. layers: a number, 0 = until the fronts close, "
     "or\n"
     "\"isotropic\". walls: \"all\", or a list of {\"edges\": [\"Edge3\"], \"faces\": [\"Face1\"],\n"
@@ -121,6 +122,7 @@ constexpr const char* kDoc =
     "\"both_ends\"}; refinements: a list of {\"point\": [x, y, z], \"size\", \"radius\"}.\n"
     "initial_mesh: (points, triangles), arrays (n, 3) [mm] and (m, 3), of the shape: its nodes\n"
     "inside the faces are where the triangulation starts, its spacing the size where it is finer.\n"
+    "order: 2 = with a node in the middle of each mesh edge, on the shape.\n"
     "threads: 0 = as many as there are.\n\n"
     "Raises InvalidInput naming the setting and its value. Values that depend on the model are\n"
     "checked by Mesher.";
@@ -140,6 +142,7 @@ void bind_settings(py::module_& module) {
       .def_property_readonly(
           "core",
           [](const Settings& s) { return s.core == CoreElements::kQuads ? "quads" : "triangles"; })
+      .def_readonly("order", &Settings::order, "1, or 2: with mid nodes.")
       .def_readonly("threads", &Settings::threads)
       .def("__repr__", &describe);
 }

@@ -41,6 +41,14 @@ class Model:
     @property
     def closed(self) -> bool:
         """Whether every edge of a face is used by exactly two face sides."""
+    @property
+    def solids(self) -> List[List[int]]:
+        """The numbers of the faces around each solid, those of cavities too."""
+    def project(self, face: int, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The point of a face, by number from 1, that is nearest to each of the points (n, 3) [mm].
+
+        Raises InvalidInput for a face that is not there.
+        """
 
 def read_brep(text: str, sew_tolerance: float = ...) -> Model:
     """Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges lie
@@ -72,7 +80,8 @@ class Settings:
     refinements: a list of {"point": [x, y, z], "size", "radius"}. size_growth: the most that
     neighbouring edges differ. initial_mesh: points (n, 3) [mm] and triangles (m, 3) of an existing
     mesh of the shape: its nodes inside the faces are where the triangulation starts, its spacing is
-    the size where it is finer. threads: 0 = as many as there are.
+    the size where it is finer. order: 2 = with a node in the middle of each mesh edge, on the
+    shape. threads: 0 = as many as there are.
 
     Raises InvalidInput naming the setting and its value. What depends on the model is checked
     by Mesher.
@@ -83,7 +92,7 @@ class Settings:
         layers: Union[int, Literal["isotropic"]] = ..., feature_angle: float = ...,
         curvature_angle: float = ..., size_growth: float = ...,
         sizes: Iterable[Mapping[str, Any]] = ..., refinements: Iterable[Mapping[str, Any]] = ...,
-        core: Literal["quads", "triangles"] = ...,
+        core: Literal["quads", "triangles"] = ..., order: Literal[1, 2] = ...,
         walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
         match: Iterable[str] = ..., off: Iterable[str] = ...,
         boundary: Iterable[str] = ..., smooth: Iterable[str] = ...,
@@ -107,6 +116,8 @@ class Settings:
     def size_growth(self) -> float: ...
     @property
     def core(self) -> str: ...
+    @property
+    def order(self) -> int: ...
     @property
     def threads(self) -> int: ...
 
@@ -171,6 +182,18 @@ class Mesh:
     @property
     def edge_segments(self) -> Dict[int, NDArray[np.int32]]:
         """CAD edge number (from 1) -> (k, 2), its mesh edges in order"""
+    @property
+    def mid_nodes(self) -> NDArray[np.float64]:
+        """(m, 3) [mm], at order 2: nodes in the middle of mesh edges, numbered on from len(nodes)"""
+    @property
+    def mids_of_quad(self) -> NDArray[np.int32]:
+        """(q, 4) at order 2: mid node k lies between corners k and k + 1"""
+    @property
+    def mids_of_triangle(self) -> NDArray[np.int32]:
+        """(t, 3) at order 2"""
+    @property
+    def mids_of_segment(self) -> Dict[int, NDArray[np.int32]]:
+        """CAD edge number -> (k,) at order 2: between the ends of its edge_segments"""
     @property
     def patches(self) -> List[Dict[str, Any]]:
         """Per patch: patch, faces, layers, quads, triangles, events, triangles_by_cause, vetoes"""

@@ -14,6 +14,7 @@
 #include "boundary/halve_edges.h"
 #include "mesher/doubled_edges.h"
 #include "mesher/merge.h"
+#include "mesher/mid_nodes.h"
 #include "mesher/patch_job.h"
 #include "mesher/patch_plan.h"
 #include "mesher/run_notes.h"
@@ -316,6 +317,9 @@ MeshResult Mesher::Impl::finish() {
   part_doubled_edges(jobs, boundary, cancel);
   for_each_job([this](PatchJob& job, std::size_t) { job.measure(cancel); });
   MeshResult result = merge(jobs, boundary, cancel);
+  if (settings.order == 2) {
+    add_mid_nodes(jobs, boundary, settings, threads, cancel, model, result);
+  }
   FigureCounts counts;
   for (const auto& job : jobs) {
     counts.add(job->counts());
@@ -333,6 +337,7 @@ MeshResult Mesher::Impl::finish() {
     result.diagnostics.insert(result.diagnostics.end(), notes->begin(), notes->end());
   }
   name_given_edges(model, result);
+  if (settings.order == 2) find_segment_mids(result);
   result.figures = counts.figures(static_cast<int>(result.nodes.size()));
   return result;
 }

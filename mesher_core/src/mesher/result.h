@@ -55,8 +55,14 @@ struct MeshResult {
   std::vector<int> quad_layer, triangle_layer;  // 0: core
   std::vector<int> node_parent;                 // -1: none
   std::vector<int> node_layer;
+  // Of order 2 alone: their numbers go on after those of `nodes`. Mid node k of an element lies
+  // between its corners k and k + 1.
+  std::vector<Vec3> mid_nodes;
+  std::vector<std::array<int, 4>> quad_mids;
+  std::vector<std::array<int, 3>> triangle_mids;
   // Mesh edges on CAD edges: node pairs, by EdgeId.
   std::vector<std::vector<std::array<int, 2>>> edge_segments;
+  std::vector<std::vector<int>> segment_mids;  // of order 2, beside edge_segments
   std::vector<PatchReport> patches;
   std::vector<WallReport> walls;  // empty in a snapshot
   Figures figures;                // all zero in a snapshot

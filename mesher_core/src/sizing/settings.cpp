@@ -280,6 +280,9 @@ void check(const Settings& settings, const Model& model) {
   if (settings.end == EndOfGrowth::kLayers && settings.layers < 1) {
     refuse("layers", ">= 1", settings.layers, "");
   }
+  if (settings.order != 1 && settings.order != 2) {
+    refuse("order", "1 or 2", settings.order, "");
+  }
   if (settings.threads < 0) refuse("threads", ">= 0", settings.threads, "");
   for (const FaceId f : settings.faces) check_face(f, model, "faces");
   check_sizes(settings, model);

@@ -59,6 +59,7 @@ struct Settings {
   std::vector<SizeSpec> sizes;
   std::vector<Refinement> refinements;
   CoreElements core = CoreElements::kQuads;
+  int order = 1;  // 2: with a node in the middle of each mesh edge, on the exact CAD
   bool walls_all = true;
   std::vector<WallSpec> walls;
   std::vector<EdgeId> match_edges, off_edges;
