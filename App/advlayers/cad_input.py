@@ -39,7 +39,8 @@ def check_readable(path: str, freecad: bool) -> None:
         raise InputError("input", "needs FreeCAD to be read: run the job with freecadcmd: {}", path)
 
 
-def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: float = 0.0) -> Cad:
+def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: float = 0.0,
+         context: Any = None) -> Cad:
     """Reads the file, and sews what it holds where the tolerance [mm] is not 0. Raises InputError
     naming it."""
     ending = os.path.splitext(path)[1].lower()
@@ -47,15 +48,15 @@ def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: f
         raise InputError("object", "is for FCStd files only, got {}", repr(wanted))
     try:
         if not freecad:
-            return Cad(core.read_file(path, sew_tolerance))
+            return Cad(core.read_file(path, sew_tolerance, context))
         if ending == ".fcstd":
-            return _read_document(core, path, wanted, sew_tolerance)
+            return _read_document(core, path, wanted, sew_tolerance, context)
         shape = faceted.shape_of_file(path) if ending == ".stl" else _read_shape(core, path)
     except (RuntimeError, ValueError, OSError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("input", "cannot be used: {}: {}", _one_line(error), path) from error
-    return Cad(_model(core, shape, path, sew_tolerance), shape)
+    return Cad(_model(core, shape, path, sew_tolerance, context), shape)
 
 
 def global_shape(document_object):
@@ -68,11 +69,11 @@ def global_shape(document_object):
     return shape
 
 
-def _model(core, shape, path: str, sew_tolerance: float):
+def _model(core, shape, path: str, sew_tolerance: float, context: Any):
     if shape.isNull() or not shape.Faces:
         raise InputError("input", "holds no face to mesh: {}", path)
     try:
-        return core.read_brep(shape.exportBrepToString(), sew_tolerance)
+        return core.read_brep(shape.exportBrepToString(), sew_tolerance, context)
     except (RuntimeError, ValueError) as error:
         raise InputError("input", "cannot be used: {}: {}", _one_line(error), path) from error
 
@@ -84,14 +85,15 @@ def _read_shape(core, path: str):
     return Part.read(path)
 
 
-def _read_document(core, path: str, wanted: Optional[str], sew_tolerance: float) -> Cad:
+def _read_document(core, path: str, wanted: Optional[str], sew_tolerance: float,
+                   context: Any) -> Cad:
     import FreeCAD
 
     document = FreeCAD.openDocument(path, True)
     try:
         chosen, note = _choose(document, wanted, path)
         shape = global_shape(chosen)
-        return Cad(_model(core, shape, path, sew_tolerance), shape, chosen.Label, note)
+        return Cad(_model(core, shape, path, sew_tolerance, context), shape, chosen.Label, note)
     finally:
         FreeCAD.closeDocument(document.Name)
 

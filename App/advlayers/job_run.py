@@ -15,7 +15,7 @@ from advlayers.meshing import Run, core_settings
 from advlayers.report import has_error, info, make_report, shortfalls
 from advlayers.settings_check import check_names
 
-# Called now and then with what the run does ("meshing") and the core's new reports.
+# Called now and then with what the run does ("layers 40 %") and the core's new reports.
 Watch = Callable[[str, List[Any]], None]
 
 
@@ -25,21 +25,23 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     Raises InputError, or what the core raises.
     """
     core = load_core()
+    context = core.RunContext()
     begin = time.perf_counter()
-    watch("reading", [])
-    cad = cad_input.read(core, job.input, job.object, in_freecad(), job.settings["sew_tolerance"])
+    watch("read", [])
+    cad = cad_input.read(core, job.input, job.object, in_freecad(), job.settings["sew_tolerance"],
+                         context)
     check_names(job.settings, cad.model.face_count, cad.model.edge_count, job.input_name)
     settings = {**job.settings, initial_mesh.KEY: _initial_mesh(job)}
     seconds = {"read": time.perf_counter() - begin}
 
     try:
-        mesher = core.Mesher(cad.model, core_settings(core, settings, cad.model.diagonal))
+        mesher = core.Mesher(cad.model, core_settings(core, settings, cad.model.diagonal), context)
     except core.InvalidInput as error:
         raise InputError("", "{}", error) from error
-    mesh = Run(lambda: mesher).finish(lambda reports: watch("meshing", reports))
+    mesh = Run(context, lambda: mesher).finish(lambda reports: watch(_stage(context), reports))
     seconds.update(mesh.seconds)
 
-    watch("writing", [])
+    watch("write", [])
     start = time.perf_counter()
     product = export.Product(mesh, mesh_groups(mesh, job.settings["groups"]))
     try:
@@ -61,6 +63,11 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     finally:
         _close(product.document)
     return report
+
+
+def _stage(context) -> str:
+    stage, share = context.progress
+    return f"{stage} {100.0 * share:.0f} %"
 
 
 def _initial_mesh(job: Job) -> Optional[initial_mesh.Arrays]:

@@ -131,11 +131,11 @@ class Task:
     initial: Optional[initial_mesh.Arrays]
     groups: Dict[str, Sequence[str]]  # named ones, and those that constraints of analyses need
 
-    def make_mesher(self, core):
+    def make_mesher(self, core, context):
         """Reads the shape; may run in any thread. Raises what the core raises."""
-        model = core.read_brep(self.brep, self.made_from.settings["sew_tolerance"])
+        model = core.read_brep(self.brep, self.made_from.settings["sew_tolerance"], context)
         settings = {**self.made_from.settings, initial_mesh.KEY: self.initial}
-        return core.Mesher(model, core_settings(core, settings, model.diagonal))
+        return core.Mesher(model, core_settings(core, settings, model.diagonal), context)
 
     def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):
         return fem_mesh.compact(fem_mesh.to_fem_mesh(mesh, self.groups, check))
@@ -165,7 +165,8 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
     raises stops the run and leaves the old mesh. Raises InputError, or what the core raises."""
     core = load_core()
     task = prepare(document_object)
-    run = Run(lambda: task.make_mesher(core),
+    context = core.RunContext()
+    run = Run(context, lambda: task.make_mesher(core, context),
               on_mesh=lambda mesh, check: (mesh, task.make_fem_mesh(mesh, check)))
     mesh, fem = run.finish(watch or window_watch.get())
     set_mesh(document_object, mesh, fem, task.made_from)

@@ -5,7 +5,7 @@ import atexit
 import queue
 import threading
 import weakref
-from typing import Any, Callable, Dict, List, Mapping, Optional
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 from advlayers import collector
 from advlayers.errors import Stopped
@@ -52,20 +52,19 @@ class Run:
     """Pulls the layers out of a core Mesher in a thread of its own, so that the calling thread
     stays free for Ctrl-C, a progress line or a window's events.
 
-    What is handed in runs in that thread: `make_mesher` reads and checks; `on_layer` gets the
-    mesher and each report, `on_mesh` the finished mesh, and both a check() that raises once the run
-    was cancelled. What `on_mesh` returns is the outcome of the run.
+    `context` is the core's RunContext of what is handed in, and that runs in the thread:
+    `make_mesher` reads and checks; `on_layer` gets the mesher and each report, `on_mesh` the
+    finished mesh, and both a check() that raises once the run was cancelled. What `on_mesh` returns
+    is the outcome of the run.
     """
 
-    def __init__(self, make_mesher: Callable[[], Any],
+    def __init__(self, context: Any, make_mesher: Callable[[], Any],
                  on_layer: Optional[Callable[[Any, Any, Callable[[], None]], None]] = None,
                  on_mesh: Optional[Callable[[Any, Callable[[], None]], Any]] = None) -> None:
+        self._context = context
         self._make_mesher, self._on_layer, self._on_mesh = make_mesher, on_layer, on_mesh
-        self._mesher: Any = None
         self._reports: "queue.Queue[Any]" = queue.Queue()
         self._thread = threading.Thread(target=self._pull, name="advlayers", daemon=True)
-        self._cancelled = threading.Event()
-        self._grown = threading.Event()
         self._outcome: Any = None
         self._error: Optional[BaseException] = None
 
@@ -79,15 +78,13 @@ class Run:
         return self._thread.is_alive()
 
     @property
-    def grown(self) -> bool:
-        """Whether the layers have ended, and the core is being finished."""
-        return self._grown.is_set()
+    def progress(self) -> Tuple[str, float]:
+        """The core's stage, and the share of it that is done."""
+        return self._context.progress
 
     def cancel(self) -> None:
         """Stops the work soon; returns at once."""
-        self._cancelled.set()
-        if self._mesher is not None:
-            self._mesher.cancel()
+        self._context.cancel()
 
     def wait(self, seconds: float) -> None:
         """For the end of the run, but no longer than that."""
@@ -108,8 +105,7 @@ class Run:
         """Waits for the end; the mesh, or what `on_mesh` made of it. Raises what the core or one
         of the functions handed in raised, Stopped after cancel()."""
         self._thread.join()
-        if self._cancelled.is_set():
-            raise Stopped()
+        self._check()
         if self._error is not None:
             raise self._error
         return self._outcome
@@ -131,22 +127,21 @@ class Run:
 
     def _pull(self) -> None:
         try:
-            self._mesher = self._make_mesher()
+            mesher = self._make_mesher()
             self._check()
-            for report in self._mesher:
+            for report in mesher:
                 self._reports.put(report)
                 if self._on_layer:
-                    self._on_layer(self._mesher, report, self._check)
+                    self._on_layer(mesher, report, self._check)
                 self._check()
-            self._grown.set()
-            mesh = self._mesher.result()
+            mesh = mesher.result()
             self._outcome = self._on_mesh(mesh, self._check) if self._on_mesh else mesh
         except BaseException as error:  # handed to the calling thread, whatever it is
             self._error = error
         self._reports.put(None)
 
     def _check(self) -> None:
-        if self._cancelled.is_set():
+        if self._context.cancelled:
             raise Stopped()
 
 

@@ -50,16 +50,20 @@ def write_unv(path: str, mesh, groups: List[Group]) -> None:
 
 def read_unv(path: str) -> Tuple[Any, Dict[str, Any]]:
     """Points (n, 3) and cells by kind, (k, corners) each, of the first two datasets: elements with
-    nodes on their edges are read by their corners. Raises ValueError and OSError."""
+    nodes on their edges are read by their corners. Raises ValueError naming the line, and OSError.
+    """
     points: Dict[int, List[float]] = {}
     cells: Dict[str, List[List[int]]] = {}
     with open(path, encoding="utf-8", errors="replace") as file:
-        lines = iter(file.read().splitlines())
-    for line in lines:
-        if line.strip() == "2411":
-            _read_nodes(lines, points)
-        elif line.strip() == "2412":
-            _read_elements(lines, cells)
+        lines = _Lines(file.read().splitlines())
+    try:
+        for line in lines:
+            if line.strip() == "2411":
+                _read_nodes(lines, points)
+            elif line.strip() == "2412":
+                _read_elements(lines, cells)
+    except (ValueError, IndexError) as error:
+        raise ValueError(f"line {lines.number}: {error}") from error
     index = {number: place for place, number in enumerate(points)}
     try:
         found = {kind: np.array([[index[number] for number in row] for row in rows], np.int64)
@@ -69,25 +73,52 @@ def read_unv(path: str) -> Tuple[Any, Dict[str, Any]]:
     return np.array(list(points.values()), float).reshape(-1, 3), found
 
 
-def _read_nodes(lines: Iterator[str], points: Dict[int, List[float]]) -> None:
-    for line in lines:
-        number = int(line.split()[0])
+class _Lines:
+    """The lines of a file one after the other, and how many have been taken."""
+
+    def __init__(self, lines: List[str]) -> None:
+        self._lines, self.number = lines, 0
+
+    def __iter__(self) -> Iterator[str]:
+        while self.number < len(self._lines):
+            self.number += 1
+            yield self._lines[self.number - 1]
+
+    def words(self) -> List[str]:
+        """Of the next line, within a dataset."""
+        if self.number == len(self._lines):
+            raise ValueError("the file ends within a dataset")
+        self.number += 1
+        return self._lines[self.number - 1].split()
+
+    def numbers(self, least: int) -> List[int]:
+        words = self.words()
+        if len(words) < least and words != ["-1"]:
+            raise ValueError(f"{least} numbers are due, got {len(words)}")
+        return [int(word) for word in words]
+
+
+def _read_nodes(lines: _Lines, points: Dict[int, List[float]]) -> None:
+    while True:
+        number = lines.numbers(1)[0]
         if number == -1:
             return
-        points[number] = [float(word.replace("D", "E")) for word in next(lines).split()]
+        points[number] = [float(word.replace("D", "E")) for word in lines.words()]
+        if len(points[number]) != 3:
+            raise ValueError(f"3 coordinates are due, got {len(points[number])}")
 
 
-def _read_elements(lines: Iterator[str], cells: Dict[str, List[List[int]]]) -> None:
-    for line in lines:
-        words = [int(word) for word in line.split()]
+def _read_elements(lines: _Lines, cells: Dict[str, List[List[int]]]) -> None:
+    while True:
+        words = lines.numbers(6)
         if words[0] == -1:
             return
         kind, count = words[1], words[5]
         if kind in _BEAMS:
-            next(lines)
+            lines.words()
         numbers: List[int] = []
         while len(numbers) < count:
-            numbers += [int(word) for word in next(lines).split()]
+            numbers += lines.numbers(1)
         if kind in _CORNERS:
             name, places = _CORNERS[kind]
             cells.setdefault(name, []).append([numbers[place] for place in places])

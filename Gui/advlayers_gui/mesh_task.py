@@ -4,7 +4,7 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, Iterable, List, Optional
+from typing import Any, Callable, Iterable, List, Optional, Set
 
 from PySide import QtCore
 
@@ -32,25 +32,19 @@ _STOP_WAIT = 0.1
 class Progress:
     """What the run has told so far."""
 
-    patch: int = -1  # that reported last; -1: still triangulating
+    stage: str = ""  # of the core's context; "": before the first
+    share: float = 0.0  # of it, 0 to 1
+    patch: int = -1  # that reported last
     layer: int = 0  # of that patch
     quads: int = 0
     triangles: int = 0
     start: float = field(default_factory=time.monotonic)
-    grown: bool = False  # the layers have ended, the core is being finished
-    _first: Dict[int, int] = field(default_factory=dict)  # patch -> front vertices at first
-    _last: Dict[int, int] = field(default_factory=dict)  # and after its last layer
+    _grown: Set[int] = field(default_factory=set)
 
     @property
     def patches(self) -> int:
         """That have grown a layer."""
-        return len(self._first)
-
-    @property
-    def share(self) -> float:
-        """From 0 to 1: how much of the fronts has ended."""
-        first = sum(self._first.values())
-        return 1.0 - sum(self._last.values()) / first if first else 0.0
+        return len(self._grown)
 
     @property
     def elements(self) -> int:
@@ -67,8 +61,7 @@ class Progress:
     def add(self, reports: List[Any]) -> None:
         for report in reports:
             self.patch, self.layer = report.patch, report.layer
-            self._first.setdefault(report.patch, max(report.front_vertices, 1))
-            self._last[report.patch] = report.front_vertices
+            self._grown.add(report.patch)
             self.quads += report.quads
             self.triangles += report.triangles
 
@@ -118,7 +111,8 @@ class MeshTask:
         shown = canvas is not None and preferences.live_preview()
         self._pictures = _Pictures(canvas.prepare) if shown else None
         self._drawing_since: Optional[float] = None
-        self._run = Run(lambda: task.make_mesher(core),
+        context = core.RunContext()
+        self._run = Run(context, lambda: task.make_mesher(core, context),
                         self._pictures.offer if self._pictures else None,
                         lambda mesh, check: _outcome(task, mesh, check))
         self._cancelled = False
@@ -161,7 +155,7 @@ class MeshTask:
 
     def _show_progress(self, running: bool) -> None:
         self.progress.add(self._run.reports())
-        self.progress.grown = self._run.grown
+        self.progress.stage, self.progress.share = self._run.progress
         self._on_progress(self.progress)
         if running and self._pictures and not self._canvas.busy:
             self._draw()

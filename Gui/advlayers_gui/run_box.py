@@ -84,7 +84,7 @@ class RunBox:
             self._task.stop()
 
     def _progressed(self, progress: Progress) -> None:
-        busy = progress.patch < 0 or progress.grown
+        busy = progress.share <= 0.0
         if busy != (self._bar.maximum() == 0):
             self._bar.setRange(0, 0 if busy else _STEPS)
         if not busy:
@@ -123,17 +123,23 @@ def state_text(mesh_object) -> str:
 
 
 def status_text(progress: Progress) -> str:
-    if progress.patch < 0:
-        return tr("Triangulating · {seconds:.1f} s").format(seconds=progress.seconds)
-    stage = tr("Finishing the core")
-    if not progress.grown:
-        stage = tr("Patch {patch} of {patches} · layer {layer}").format(
-            patch=progress.patch + 1, patches=max(progress.patches, progress.patch + 1),
-            layer=progress.layer)
+    if not progress.elements:
+        return tr("{stage} · {seconds:.1f} s").format(
+            stage=_stage_text(progress), seconds=progress.seconds)
     text = tr("{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s")
     return text.format(
-        stage=stage, elements=progress.elements, percent=progress.quad_percent,
+        stage=_stage_text(progress), elements=progress.elements, percent=progress.quad_percent,
         seconds=progress.seconds)
+
+
+def _stage_text(progress: Progress) -> str:
+    if progress.stage == "layers" and progress.patch >= 0:
+        return tr("Patch {patch} of {patches} · layer {layer}").format(
+            patch=progress.patch + 1, patches=max(progress.patches, progress.patch + 1),
+            layer=progress.layer)
+    return {"boundary": tr("Cutting the edges"), "triangulate": tr("Triangulating"),
+            "layers": tr("Growing layers"), "core": tr("Finishing the core")}.get(
+                progress.stage, tr("Reading the shape"))
 
 
 def summary(outcome: Outcome, seconds: float) -> str:

@@ -388,6 +388,10 @@
         <translation>Krümmungswinkel</translation>
     </message>
     <message>
+        <source>Cutting the edges</source>
+        <translation>Die Kanten werden geteilt</translation>
+    </message>
+    <message>
         <source>Diagnostics</source>
         <translation>Meldungen</translation>
     </message>
@@ -486,6 +490,10 @@
     <message>
         <source>Groups</source>
         <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Growing layers</source>
+        <translation>Die Schichten wachsen</translation>
     </message>
     <message>
         <source>Growth</source>
@@ -652,6 +660,10 @@
         <translation>Radius</translation>
     </message>
     <message>
+        <source>Reading the shape</source>
+        <translation>Die Form wird gelesen</translation>
+    </message>
+    <message>
         <source>References</source>
         <translation>Referenzen</translation>
     </message>
@@ -808,8 +820,8 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>Triangulating · {seconds:.1f} s</source>
-        <translation>Dreiecke werden erzeugt · {seconds:.1f} s</translation>
+        <source>Triangulating</source>
+        <translation>Dreiecke werden erzeugt</translation>
     </message>
     <message>
         <source>Turning angle</source>
@@ -1494,6 +1506,10 @@
     <message>
         <source>{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s</source>
         <translation>{stage} · {elements} Elemente · {percent:.1f} % Vierecke · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{stage} · {seconds:.1f} s</source>
+        <translation>{stage} · {seconds:.1f} s</translation>
     </message>
     <message>
         <source>{} (internal error: please report it with the model)</source>

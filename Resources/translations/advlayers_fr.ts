@@ -388,6 +388,10 @@
         <translation>Angle de courbure</translation>
     </message>
     <message>
+        <source>Cutting the edges</source>
+        <translation>Découpage des arêtes</translation>
+    </message>
+    <message>
         <source>Diagnostics</source>
         <translation>Messages</translation>
     </message>
@@ -486,6 +490,10 @@
     <message>
         <source>Groups</source>
         <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>Growing layers</source>
+        <translation>Croissance des couches</translation>
     </message>
     <message>
         <source>Growth</source>
@@ -652,6 +660,10 @@
         <translation>Rayon</translation>
     </message>
     <message>
+        <source>Reading the shape</source>
+        <translation>Lecture de la forme</translation>
+    </message>
+    <message>
         <source>References</source>
         <translation>Références</translation>
     </message>
@@ -808,8 +820,8 @@
         <translation>Triangles</translation>
     </message>
     <message>
-        <source>Triangulating · {seconds:.1f} s</source>
-        <translation>Triangulation · {seconds:.1f} s</translation>
+        <source>Triangulating</source>
+        <translation>Triangulation</translation>
     </message>
     <message>
         <source>Turning angle</source>
@@ -1494,6 +1506,10 @@
     <message>
         <source>{stage} · {elements} elements · {percent:.1f} % quads · {seconds:.1f} s</source>
         <translation>{stage} · {elements} éléments · {percent:.1f} % de quadrangles · {seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>{stage} · {seconds:.1f} s</source>
+        <translation>{stage} · {seconds:.1f} s</translation>
     </message>
     <message>
         <source>{} (internal error: please report it with the model)</source>

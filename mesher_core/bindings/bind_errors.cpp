@@ -49,7 +49,7 @@ void bind_errors(py::module_& module) {
   bind_told<InternalError>(module, "InternalError", PyExc_RuntimeError,
                            "A fault of this library: please report it with the model.");
   py::register_exception<Cancelled>(module, "Cancelled", PyExc_Exception).doc() =
-      "A stop that was asked for with Mesher.cancel().";
+      "A stop that was asked for with RunContext.cancel() or Mesher.cancel().";
 }
 
 }  // namespace advlayers::python

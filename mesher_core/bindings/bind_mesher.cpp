@@ -1,51 +1,41 @@
 #include <pybind11/stl.h>
 
-#include <chrono>
-#include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
 #include "bindings.h"
 #include "mesh_view.h"
 #include "mesher/mesher.h"
+#include "run_interruptibly.h"
 
 namespace py = pybind11;
 
 namespace advlayers::python {
 namespace {
 
-constexpr auto kSignalPoll = std::chrono::milliseconds(20);
-
-// Keeps the model alive and remembers the result, which a Mesher gives only once.
+// Keeps context and model alive and remembers the result, which a Mesher gives only once.
 struct MesherHandle {
-  MesherHandle(std::shared_ptr<Model> the_model, const Settings& settings)
-      : model(std::move(the_model)), mesher(*model, settings) {}
+  MesherHandle(std::shared_ptr<RunContext> the_context, std::shared_ptr<Model> the_model,
+               const Settings& settings)
+      : context(std::move(the_context)),
+        model(std::move(the_model)),
+        mesher(*context, *model, settings) {}
 
+  std::shared_ptr<RunContext> context;
   std::shared_ptr<Model> model;
   Mesher mesher;
   std::shared_ptr<MeshView> result;
+  std::mutex mutex;  // guards `result`
 };
 
-// Runs long work beside the calling thread, which meanwhile looks for Ctrl-C: Python delivers it
-// to the main thread alone, and only when asked.
-template <class Work>
-auto run_interruptibly(Mesher& mesher, const Work& work) {
-  std::unique_ptr<py::error_already_set> interrupt;
-  std::future<decltype(work())> outcome;
-  {
-    const py::gil_scoped_release release;
-    outcome = std::async(std::launch::async, work);
-    while (outcome.wait_for(kSignalPoll) != std::future_status::ready && !interrupt) {
-      const py::gil_scoped_acquire acquire;
-      if (PyErr_CheckSignals() == 0) continue;
-      interrupt = std::make_unique<py::error_already_set>();
-      mesher.cancel();
-    }
-    outcome.wait();
-  }
-  if (interrupt) throw py::error_already_set(*interrupt);
-  return outcome.get();
+std::unique_ptr<MesherHandle> make_mesher(const std::shared_ptr<Model>& model,
+                                          const Settings& settings,
+                                          const std::shared_ptr<RunContext>& given) {
+  const std::shared_ptr<RunContext> context = given_or_own(given);
+  return run_interruptibly(
+      *context, [&] { return std::make_unique<MesherHandle>(context, model, settings); });
 }
 
 LayerReport next_report(MesherHandle& self) {
@@ -53,18 +43,19 @@ LayerReport next_report(MesherHandle& self) {
   if (self.mesher.ready()) {
     report = self.mesher.next();
   } else {
-    report = run_interruptibly(self.mesher, [&self] { return self.mesher.next(); });
+    report = run_interruptibly(*self.context, [&self] { return self.mesher.next(); });
   }
   if (!report) throw py::stop_iteration();
   return *report;
 }
 
+// Of several threads the first to come makes it, the others wait for it.
 std::shared_ptr<MeshView> result_of(MesherHandle& self) {
-  if (!self.result) {
-    self.result = run_interruptibly(
-        self.mesher, [&self] { return std::make_shared<MeshView>(self.mesher.result()); });
-  }
-  return self.result;
+  return run_interruptibly(*self.context, [&self] {
+    const std::lock_guard<std::mutex> lock(self.mutex);
+    if (!self.result) self.result = std::make_shared<MeshView>(self.mesher.result());
+    return self.result;
+  });
 }
 
 std::shared_ptr<MeshView> snapshot_of(const MesherHandle& self) {
@@ -115,25 +106,26 @@ void bind_mesher(py::module_& module) {
   bind_report(module);
   py::class_<MesherHandle>(
       module, "Mesher",
-      "Mesher(model, settings) -> iterator of LayerReport, one per layer and patch.\n\n"
+      "Mesher(model, settings, context=None) -> iterator of LayerReport, one per layer and\n"
+      "patch.\n\n"
       "The caller owns the loop and may stop after any layer. The global interpreter lock is\n"
       "released while it works. The same input gives the same mesh for any number of threads.\n\n"
       "Raises InvalidInput naming a wrong setting; Cancelled from the loop and from result() "
       "after\n"
       "cancel(); KeyboardInterrupt.")
-      .def(py::init<std::shared_ptr<Model>, const Settings&>(), py::arg("model"),
-           py::arg("settings"), py::call_guard<py::gil_scoped_release>())
+      .def(py::init(&make_mesher), py::arg("model").none(false), py::arg("settings").none(false),
+           py::arg("context") = py::none())
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next_report)
       .def(
-          "cancel", [](MesherHandle& self) { self.mesher.cancel(); },
-          "Stops the work, for good; may be called from any thread.")
+          "cancel", [](MesherHandle& self) { self.context->cancel(); },
+          "RunContext.cancel() of the mesher's context: stops the work, for good.")
       .def("snapshot", &snapshot_of,
            "The Mesh as it stands, before result(); its walls and figures are not measured.\n\n"
            "Raises Cancelled where cancel() comes meanwhile; after it, the mesh is still there.")
       .def("result", &result_of,
            "Finishes the core and gives the Mesh; the same object every time.\n\n"
-           "May be called before the loop has ended: the layers so far are kept.");
+           "Runs the loop where it was not begun; where it was, the layers so far are kept.");
 }
 
 }  // namespace advlayers::python

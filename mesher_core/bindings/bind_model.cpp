@@ -9,6 +9,7 @@
 #include "geometry/evaluator.h"
 #include "geometry/model.h"
 #include "geometry/solids.h"
+#include "run_interruptibly.h"
 #include "setting_values.h"
 
 namespace py = pybind11;
@@ -22,17 +23,21 @@ double tolerance_of(const py::object& value) {
   throw InvalidInput("sew_tolerance must be >= 0 mm, got " + shown(value));
 }
 
-std::shared_ptr<Model> model_of_text(const std::string& text, const py::object& sew_tolerance) {
+std::shared_ptr<Model> model_of_text(const std::string& text, const py::object& sew_tolerance,
+                                     const std::shared_ptr<RunContext>& given) {
   const double tolerance = tolerance_of(sew_tolerance);
-  const py::gil_scoped_release release;
-  return std::make_shared<Model>(read_brep(text, tolerance));
+  const std::shared_ptr<RunContext> context = given_or_own(given);
+  return run_interruptibly(
+      *context, [&] { return std::make_shared<Model>(read_brep(*context, text, tolerance)); });
 }
 
-std::shared_ptr<Model> model_of_file(const py::object& path, const py::object& sew_tolerance) {
+std::shared_ptr<Model> model_of_file(const py::object& path, const py::object& sew_tolerance,
+                                     const std::shared_ptr<RunContext>& given) {
   const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
   const double tolerance = tolerance_of(sew_tolerance);
-  const py::gil_scoped_release release;
-  return std::make_shared<Model>(read_file(name, tolerance));
+  const std::shared_ptr<RunContext> context = given_or_own(given);
+  return run_interruptibly(
+      *context, [&] { return std::make_shared<Model>(read_file(*context, name, tolerance)); });
 }
 
 void check_file_at(const py::object& path) {
@@ -100,6 +105,7 @@ void bind_model(py::module_& module) {
       .def("__repr__", &describe);
   module.def(
       "read_brep", &model_of_text, py::arg("text"), py::arg("sew_tolerance") = 0.0,
+      py::arg("context") = py::none(),
       "Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges\n"
       "lie within sew_tolerance [mm] of each other are joined there; 0: none are.\n\n"
       "Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.");
@@ -108,6 +114,7 @@ void bind_model(py::module_& module) {
              "on some damaged ones. read_file() asks by itself; ask before another program's\n"
              "reader is let at a file that nobody vouches for.");
   module.def("read_file", &model_of_file, py::arg("path"), py::arg("sew_tolerance") = 0.0,
+             py::arg("context") = py::none(),
              "Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as\n"
              "read_brep() does.\n\n"
              "Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no\n"

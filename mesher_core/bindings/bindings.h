@@ -6,6 +6,7 @@
 namespace advlayers::python {
 
 void bind_errors(pybind11::module_& module);
+void bind_context(pybind11::module_& module);
 void bind_model(pybind11::module_& module);
 void bind_settings(pybind11::module_& module);
 void bind_result(pybind11::module_& module);

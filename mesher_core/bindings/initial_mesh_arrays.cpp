@@ -2,6 +2,8 @@
 
 #include <pybind11/numpy.h>
 
+#include <array>
+#include <cstdint>
 #include <string>
 
 #include "base/error.h"
@@ -31,6 +33,14 @@ Rows<Number> rows_of_three(const py::handle& value, const char* what, const char
   return Rows<Number>::ensure(given);
 }
 
+// Of a node; the core has 32 bits for it, an array may have 64.
+int index(std::int64_t node, py::ssize_t triangle, py::ssize_t count) {
+  if (node >= 0 && node < count) return static_cast<int>(node);
+  throw InvalidInput(
+      "{}: {}", "initial_mesh",
+      Sentence("triangle {} (from 0) has node {}, but there are {}", triangle, node, count));
+}
+
 }  // namespace
 
 void set_initial_mesh(const py::handle& value, Settings& settings) {
@@ -41,13 +51,16 @@ void set_initial_mesh(const py::handle& value, Settings& settings) {
   }
   const auto pair = py::reinterpret_borrow<py::sequence>(value);
   const auto points = rows_of_three<double>(pair[0], "points", "fiu");
-  const auto triangles = rows_of_three<int>(pair[1], "triangles", "iu");
+  const auto triangles = rows_of_three<std::int64_t>(pair[1], "triangles", "iu");
   auto mesh = std::make_shared<InitialMesh>();
   for (py::ssize_t i = 0; i < points.size() / 3; ++i) {
     mesh->points.emplace_back(points.at(i, 0), points.at(i, 1), points.at(i, 2));
   }
   for (py::ssize_t t = 0; t < triangles.size() / 3; ++t) {
-    mesh->triangles.push_back({triangles.at(t, 0), triangles.at(t, 1), triangles.at(t, 2)});
+    std::array<int, 3>& corners = mesh->triangles.emplace_back();
+    for (py::ssize_t k = 0; k < 3; ++k) {
+      corners[static_cast<std::size_t>(k)] = index(triangles.at(t, k), t, points.size() / 3);
+    }
   }
   settings.initial_mesh = std::move(mesh);
 }

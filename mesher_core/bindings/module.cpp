@@ -5,6 +5,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() =
       "Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees.";
   bind_errors(module);
+  bind_context(module);
   bind_model(module);
   bind_settings(module);
   bind_result(module);

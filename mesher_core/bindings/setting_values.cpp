@@ -22,16 +22,24 @@ std::int32_t number_in_name(const py::handle& value, const char* setting, const 
 
 double number(const py::handle& value, const char* setting) {
   const bool plain = !py::isinstance<py::bool_>(value) && PyNumber_Check(value.ptr()) == 1;
-  if (!plain) throw InvalidInput(std::string(setting) + " must be a number, got " + shown(value));
-  return value.cast<double>();
+  const double real = plain ? PyFloat_AsDouble(value.ptr()) : 0.0;
+  const bool failed = PyErr_Occurred() != nullptr;  // a complex number, or one out of range
+  PyErr_Clear();
+  if (plain && !failed) return real;
+  throw InvalidInput(std::string(setting) + " must be a number, got " + shown(value));
 }
 
 int count(const py::handle& value, const char* setting) {
-  if (py::isinstance<py::bool_>(value) || !py::isinstance<py::int_>(value)) {
+  py::object whole;  // of numpy's integers, too
+  if (!py::isinstance<py::bool_>(value)) {
+    whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+  }
+  PyErr_Clear();
+  if (!whole) {
     throw InvalidInput(std::string(setting) + " must be a whole number, got " + shown(value));
   }
   try {
-    return value.cast<int>();
+    return whole.cast<int>();
   } catch (const py::cast_error&) {
     throw InvalidInput(std::string(setting) + " is out of range: " + shown(value));
   }

@@ -59,26 +59,24 @@ struct Result {
   double seconds = 0.0;
 };
 
-void mesh_patch(const Model& model, const Settings& settings, const Discretization& boundary,
-                const std::vector<FaceId>& faces, const LayerSteps& layer_steps,
-                const RecombineSteps& core_steps, Result& result) {
-  const CancelFlag cancel;
+void mesh_patch(const RunContext& context, const Model& model, const Settings& settings,
+                const Discretization& boundary, const std::vector<FaceId>& faces,
+                const LayerSteps& layer_steps, const RecombineSteps& core_steps, Result& result) {
   Evaluator evaluator(model);
   PatchSurface surface(evaluator, faces, settings.feature_angle);
   const WallPlan walls = plan_walls(evaluator, settings, faces);
-  SurfaceMesh mesh = triangulate(surface, evaluator, boundary, settings, cancel).mesh;
+  SurfaceMesh mesh = triangulate(context, surface, evaluator, boundary, settings).mesh;
   const double start = processor_seconds();
   {
-    PatchLayers layers(PatchId(0), mesh, surface, walls, layer_steps);
-    LayerReport report;
-    while (layers.advance(report, cancel)) {
+    PatchLayers layers(context, PatchId(0), mesh, surface, walls, layer_steps);
+    while (layers.advance()) {
     }
   }
   thaw_core_edges(mesh);
   return_to_core(mesh);
-  improve_core(mesh, surface, cancel);
-  recombine(mesh, surface, cancel, core_steps);
-  mend_inverted(mesh, surface, cancel);
+  improve_core(context, mesh, surface);
+  recombine(context, mesh, surface, core_steps);
+  mend_inverted(context, mesh, surface);
   return_to_core(mesh);
   result.seconds += processor_seconds() - start;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
@@ -94,11 +92,12 @@ void run(const Model& model, const Settings& settings, const Variant& variant) {
   RecombineSteps core_steps;
   if (variant.layer_step != nullptr) layer_steps.*variant.layer_step = false;
   if (variant.core_step != nullptr) core_steps.*variant.core_step = false;
+  const RunContext context;
   Evaluator evaluator(model);
-  const Discretization boundary = discretize(evaluator, settings);
+  const Discretization boundary = discretize(context, evaluator, settings);
   Result result;
   for (const std::vector<FaceId>& faces : group_faces(model, settings)) {
-    mesh_patch(model, settings, boundary, faces, layer_steps, core_steps, result);
+    mesh_patch(context, model, settings, boundary, faces, layer_steps, core_steps, result);
   }
   const Figures figures = result.counts.figures(0);
   std::printf(
@@ -118,6 +117,7 @@ int main(int count, char** words) {
   try {
     std::ifstream file(words[1]);
     const Model model = read_brep(
+        RunContext(), RunContext(),
         std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()));
     Settings settings;
     settings.size = std::atof(words[2]);

@@ -5,6 +5,7 @@ import weakref
 
 import pytest
 
+import advlayers_core as core
 from advlayers.meshing import Run
 
 
@@ -39,7 +40,7 @@ def test_a_worker_collects_nothing(collections_on_demand):
         gc.collect()
         return NoLayers()
 
-    Run(make_mesher).finish(lambda _reports: None)
+    Run(core.RunContext(), make_mesher).finish(lambda _reports: None)
     assert alive.alive
     gc.collect()
     assert threads == [threading.main_thread()]

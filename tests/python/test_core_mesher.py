@@ -223,6 +223,9 @@ def test_faces_may_be_chosen():
     ({"size": float("inf")}, "size"),
     ({"size": "1"}, "size"),
     ({"size": True}, "size"),
+    ({"size": 1j}, "size must be a number, got 1j"),
+    ({"size": 10 ** 400}, "size"),
+    ({"layers": np.float64(3)}, "layers"),
     ({"first_height": 0}, "first_height"),
     ({"growth": 0.5}, "growth"),
     ({"layers": -1}, "layers"),
@@ -249,6 +252,22 @@ def test_a_wrong_setting_is_named(settings, word):
     with pytest.raises(core.InvalidInput, match=word) as caught:
         mesher("box", **settings)
     assert isinstance(caught.value, ValueError)
+
+
+@pytest.mark.parametrize("layers", [np.int64(3), np.uint8(3)])
+def test_numbers_of_numpy_are_numbers(layers):
+    settings = core.Settings(size=np.float32(1.0), first_height=np.float64(0.1), layers=layers)
+    assert settings.layers == 3 and settings.size == 1.0
+
+
+@pytest.mark.parametrize("beyond", [2 ** 32, -2 ** 32, 2 ** 40])
+def test_an_index_too_large_for_the_core_is_refused(beyond):
+    made = mesh("square", core="triangles")
+    triangles = made.triangles if len(made.triangles) else made.quads[:, :3]
+    triangles = triangles.astype(np.int64)
+    triangles[1, 2] += beyond
+    with pytest.raises(core.InvalidInput, match=f"triangle 1 .* has node {triangles[1, 2]}"):
+        mesher("square", initial_mesh=(np.asarray(made.nodes), triangles))
 
 
 def test_size_and_first_height_must_be_given():

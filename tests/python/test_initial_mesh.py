@@ -41,7 +41,8 @@ def test_pyramids_give_their_skin():
     assert area(points, triangles) == pytest.approx(6) and 8 not in triangles
 
 
-def test_a_universal_file_of_second_order(tmp_path):
+def universal_file():
+    """The lines of one with a beam and a triangle of second order."""
     records = [(1, 0, 0), (2, 1, 0), (3, 2, 0), (4, 1, 1), (5, 0, 2), (6, 0, 1)]
     lines = ["    -1", "  2411"]
     for number, x, y in records:
@@ -51,10 +52,29 @@ def test_a_universal_file_of_second_order(tmp_path):
               "%10d%10d" % (1, 3)]
     lines += ["%10d%10d%10d%10d%10d%10d" % (2, 42, 2, 1, 7, 6), "%10d" * 6 % (1, 2, 3, 4, 5, 6),
               "    -1"]
+    return lines
+
+
+def test_a_universal_file_of_second_order(tmp_path):
     path = tmp_path / "one.unv"
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(universal_file()) + "\n")
     points, triangles = initial_mesh.read(str(path))
     assert points[triangles[0]].tolist() == [[0, 0, 0], [2, 0, 0], [0, 2, 0]]
+
+
+def test_a_cut_universal_file_names_the_line_and_the_reason(tmp_path):
+    lines = universal_file()
+    path = tmp_path / "cut.unv"
+    whole = len(lines)
+    for kept in range(2, whole):
+        if lines[kept - 1] == "    -1" or lines[kept:kept + 1] == ["  2412"]:
+            continue  # cut between two datasets
+        path.write_text("\n".join(lines[:kept]) + "\n")
+        with pytest.raises(InputError, match=rf"line {kept}: the file ends within a dataset"):
+            initial_mesh.read(str(path))
+    path.write_text("\n".join(lines[:3] + [lines[3][:9]] + lines[4:]))
+    with pytest.raises(InputError, match="line 4: 3 coordinates are due, got 1"):
+        initial_mesh.read(str(path))
 
 
 @pytest.mark.parametrize("ending", [".vtu", ".vtk", ".msh", ".inp", ".bdf", ".mesh", ".ply",

@@ -10,7 +10,7 @@ Lengths are in mm, angles in degrees.
 """
 try:
     from ._core import (Cancelled, GeometryError, InternalError, InvalidInput, LayerReport, Mesh,
-                        Mesher, Model, Settings, check_file, read_brep, read_file)
+                        Mesher, Model, RunContext, Settings, check_file, read_brep, read_file)
 except ModuleNotFoundError as error:
     if error.name != __name__ + "._core":
         raise
@@ -20,4 +20,4 @@ except ModuleNotFoundError as error:
         "the add-on's folder".format(*_sys.version_info[:2])) from error
 
 __all__ = ["Cancelled", "GeometryError", "InternalError", "InvalidInput", "LayerReport", "Mesh",
-           "Mesher", "Model", "Settings", "check_file", "read_brep", "read_file"]
+           "Mesher", "Model", "RunContext", "Settings", "check_file", "read_brep", "read_file"]

@@ -18,13 +18,34 @@ class GeometryError(RuntimeError):
     values: List[Any]
 
 class Cancelled(Exception):
-    """A stop that was asked for with Mesher.cancel()."""
+    """A stop that was asked for with RunContext.cancel() or Mesher.cancel()."""
 
 class InternalError(RuntimeError):
     """A fault of this library: please report it with the model."""
 
     form: str
     values: List[Any]
+
+class RunContext:
+    """What a run shares with its caller: made for one run, before its file is read, and handed to
+    read_file(), read_brep() and Mesher. May be used from any thread.
+    """
+
+    def __init__(self) -> None: ...
+    def cancel(self) -> None:
+        """Stops the run, for good: what is at work raises Cancelled within a tenth of a second
+        (OpenCASCADE's readers may take longer).
+        """
+    @property
+    def cancelled(self) -> bool: ...
+    @property
+    def progress(self) -> Tuple[str, float]:
+        """(stage, share): "read", "boundary", "triangulate", "layers" or "core", "" before the
+        first, and how much of it is done, 0 to 1.
+        """
+    @property
+    def seconds(self) -> Dict[str, float]:
+        """Wall-clock time of each stage so far."""
 
 class Model:
     """A BRep, read once; faces, edges and vertices are numbered from 1, as FreeCAD does."""
@@ -50,11 +71,13 @@ class Model:
         Raises InvalidInput for a face that is not there.
         """
 
-def read_brep(text: str, sew_tolerance: float = ...) -> Model:
+def read_brep(
+    text: str, sew_tolerance: float = ..., context: Optional[RunContext] = ...
+) -> Model:
     """Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges lie
     within sew_tolerance [mm] of each other are joined there; 0: none are.
 
-    Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.
+    Raises InvalidInput if the text is no BREP, GeometryError if it holds no face; Cancelled.
     """
 
 def check_file(path: Union[str, "os.PathLike[str]"]) -> None:
@@ -63,11 +86,15 @@ def check_file(path: Union[str, "os.PathLike[str]"]) -> None:
     that nobody vouches for.
     """
 
-def read_file(path: Union[str, "os.PathLike[str]"], sew_tolerance: float = ...) -> Model:
+def read_file(
+    path: Union[str, "os.PathLike[str]"], sew_tolerance: float = ...,
+    context: Optional[RunContext] = ...
+) -> Model:
     """Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as
     read_brep() does.
 
-    Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no face.
+    Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no face;
+    Cancelled.
     """
 
 class Settings:
@@ -213,7 +240,7 @@ class Mesh:
         """Wall-clock times: boundary, triangulate, layers, core"""
 
 class Mesher:
-    """Mesher(model, settings) -> iterator of LayerReport, one per layer and patch.
+    """Mesher(model, settings, context=None) -> iterator of LayerReport, one per layer and patch.
 
     The caller owns the loop and may stop after any layer. The global interpreter lock is released
     while it works. The same input gives the same mesh for any number of threads.
@@ -222,11 +249,13 @@ class Mesher:
     cancel(); KeyboardInterrupt.
     """
 
-    def __init__(self, model: Model, settings: Settings) -> None: ...
+    def __init__(
+        self, model: Model, settings: Settings, context: Optional[RunContext] = ...
+    ) -> None: ...
     def __iter__(self) -> Iterator[LayerReport]: ...
     def __next__(self) -> LayerReport: ...
     def cancel(self) -> None:
-        """Stops the work, for good; may be called from any thread."""
+        """RunContext.cancel() of the mesher's context: stops the work, for good."""
     def snapshot(self) -> Mesh:
         """The Mesh as it stands, before result(); its walls and figures are not measured.
 
@@ -235,5 +264,5 @@ class Mesher:
     def result(self) -> Mesh:
         """Finishes the core and gives the Mesh; the same object every time.
 
-        May be called before the loop has ended: the layers so far are kept.
+        Runs the loop where it was not begun; where it was, the layers so far are kept.
         """

@@ -35,9 +35,10 @@ constexpr int kMinLoop = 3;  // segments
 
 class Discretizer {
  public:
-  Discretizer(Evaluator& evaluator, const Settings& settings,
+  Discretizer(const RunContext& context, Evaluator& evaluator, const Settings& settings,
               const std::vector<MatchEnd>& match_ends, const std::vector<FourSides>& strips)
-      : evaluator_(evaluator),
+      : context_(context),
+        evaluator_(evaluator),
         model_(evaluator.model()),
         sizes_(settings),
         limits_{0.0, &sizes_, settings.curvature_angle * M_PI / 180.0, 0.0, true},
@@ -50,13 +51,14 @@ class Discretizer {
 
   Discretization run(const std::vector<MatchEnd>& match_ends) {
     for (Stretch& stretch : stretches_.all) {
+      context_.check();
       stretch.spacing.require(stretch.required);
       stretch.spacing.cut();
     }
     grade();
     while (part_coincident() || lengthen_loops()) grade();
     face_strips();
-    notes_ = run_layers_along(evaluator_, match_ends, stretches_);
+    notes_ = run_layers_along(context_, evaluator_, match_ends, stretches_);
     return collect();
   }
 
@@ -100,6 +102,7 @@ class Discretizer {
     for (std::size_t i = 0; i < model_.edges().size(); ++i) {
       const Edge& edge = model_.edges()[i];
       if (sides_[i].empty() || edge.degenerate) continue;
+      context_.check();
       limits_.size = longest_segment(EdgeId(i));
       const std::vector<double>& ends = joints[i];
       const int first = edge.start.valid() ? edge.start.value : joint_count_++;
@@ -131,9 +134,10 @@ class Discretizer {
   std::vector<std::vector<double>> joints_of_edges() {
     std::vector<std::vector<double>> joints(model_.edges().size());
     for (std::size_t i = 0; i < joints.size(); ++i) {
+      context_.check();
       if (!sides_[i].empty() && !model_.edges()[i].degenerate) joints[i] = own_joints(EdgeId(i));
     }
-    face_joints(evaluator_, strips_, joints);
+    face_joints(context_, evaluator_, strips_, joints);
     return joints;
   }
 
@@ -179,7 +183,7 @@ class Discretizer {
   }
 
   void face_strips() {
-    facing_.emplace(strips_, stretches_);
+    facing_.emplace(context_, strips_, stretches_);
     facing_->cut(std::vector<char>(stretches_.all.size(), 1));
     grade();
     for (int round = 0; round < kFacingRounds && facing_->even_out_ends(); ++round) grade();
@@ -189,6 +193,7 @@ class Discretizer {
   // state before it, so that the outcome does not depend on the order of edges.
   void grade() {
     for (int round = 0; round < kMaxRounds; ++round) {
+      context_.check();
       std::vector<double> shortest(static_cast<std::size_t>(joint_count_),
                                    std::numeric_limits<double>::infinity());
       for (const Stretch& s : stretches_.all) {
@@ -217,7 +222,9 @@ class Discretizer {
   void cut(const std::vector<char>& chosen) {
     if (facing_) return facing_->cut(chosen);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-      if (chosen[i]) stretches_[i].spacing.cut();
+      if (!chosen[i]) continue;
+      context_.check();
+      stretches_[i].spacing.cut();
     }
   }
 
@@ -343,6 +350,7 @@ class Discretizer {
       }
       const std::vector<double>& cuts = s.spacing.cuts();
       for (std::size_t k = 1; k + 1 < cuts.size(); ++k) {
+        context_.check();
         const double t = evaluator_.edge_parameter(id, s.t_begin, cuts[k]);
         edge.nodes.push_back(add_node(id, t, out));
         edge.params.push_back(t);
@@ -352,6 +360,7 @@ class Discretizer {
     }
   }
 
+  const RunContext& context_;
   Evaluator& evaluator_;
   const Model& model_;
   SizeField sizes_;
@@ -368,10 +377,10 @@ class Discretizer {
 
 }  // namespace
 
-Discretization discretize(Evaluator& evaluator, const Settings& settings,
+Discretization discretize(const RunContext& context, Evaluator& evaluator, const Settings& settings,
                           const std::vector<MatchEnd>& match_ends,
                           const std::vector<FourSides>& strips) {
-  return Discretizer(evaluator, settings, match_ends, strips).run(match_ends);
+  return Discretizer(context, evaluator, settings, match_ends, strips).run(match_ends);
 }
 
 bool same_cuts(const Discretization& a, const Discretization& b) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/run_context.h"
 #include "base/types.h"
 #include "boundary/match_end.h"
 #include "geometry/evaluator.h"
@@ -34,8 +35,8 @@ struct Discretization {
 // at least three segments; every edge at least one. Edges of no meshed face are left empty. Layers
 // that run along an edge take its ends: their nodes come first, and what lies between blends in.
 // Facing sides of `strips` get as many segments, facing each other, except on edges whose cuts are
-// given otherwise, by the user or by layers.
-Discretization discretize(Evaluator& evaluator, const Settings& settings,
+// given otherwise, by the user or by layers. Throws Cancelled.
+Discretization discretize(const RunContext& context, Evaluator& evaluator, const Settings& settings,
                           const std::vector<MatchEnd>& match_ends = {},
                           const std::vector<FourSides>& strips = {});
 

@@ -91,12 +91,15 @@ class JointFacer {
 
 }  // namespace
 
-void face_joints(Evaluator& evaluator, const std::vector<FourSides>& strips,
-                 std::vector<std::vector<double>>& joints) {
+void face_joints(const RunContext& context, Evaluator& evaluator,
+                 const std::vector<FourSides>& strips, std::vector<std::vector<double>>& joints) {
   JointFacer facer(evaluator, joints);
   for (int round = 0; round < kRounds; ++round) {
     bool added = false;
-    for (const FourSides& strip : strips) added = facer.face(strip) || added;
+    for (const FourSides& strip : strips) {
+      context.check();
+      added = facer.face(strip) || added;
+    }
     if (!added) return;
   }
 }

@@ -60,8 +60,10 @@ class FinestSpacing {
 
 }  // namespace
 
-FacingStretches::FacingStretches(const std::vector<FourSides>& strips, Stretches& stretches)
-    : stretches_(stretches),
+FacingStretches::FacingStretches(const RunContext& context, const std::vector<FourSides>& strips,
+                                 Stretches& stretches)
+    : context_(context),
+      stretches_(stretches),
       groups_(stretches.all.size()),
       group_of_(stretches.all.size()),
       reversed_(stretches.all.size(), 0) {
@@ -71,12 +73,16 @@ FacingStretches::FacingStretches(const std::vector<FourSides>& strips, Stretches
   }
   std::vector<Pair> pairs;
   for (const FourSides& strip : strips) {
+    context_.check();
     add_pairs(strip, pairs);
     ends_.push_back({along(strip.sides[1]), along(strip.sides[3])});
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.unlikeness < b.unlikeness; });
-  for (const Pair& pair : pairs) join(pair);
+  for (const Pair& pair : pairs) {
+    context_.check();
+    join(pair);
+  }
 }
 
 std::vector<FacingStretches::Member> FacingStretches::along(const std::vector<CoEdge>& side) const {
@@ -121,6 +127,7 @@ void FacingStretches::join(const Pair& pair) {
 }
 
 void FacingStretches::cut_group(const std::vector<Member>& group) {
+  context_.check();
   if (group.size() == 1) {
     stretches_[group.front().stretch].spacing.cut();
     return;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/run_context.h"
 #include "boundary/stretch.h"
 #include "geometry/four_sides.h"
 
@@ -13,7 +14,8 @@ class FacingStretches {
  public:
   // Joins those that hang together over a chain of strips. Stretches must have been cut, each by
   // itself; long ones of very different numbers of segments stay as they are.
-  FacingStretches(const std::vector<FourSides>& strips, Stretches& stretches);
+  FacingStretches(const RunContext& context, const std::vector<FourSides>& strips,
+                  Stretches& stretches);
 
   // Cuts the chosen stretches anew, and those that face them along a strip at the same shares of
   // their lengths, so finely that no segment is longer than any of them asks for.
@@ -43,6 +45,7 @@ class FacingStretches {
   void join(const Pair& pair);
   void cut_group(const std::vector<Member>& group);
 
+  const RunContext& context_;
   Stretches& stretches_;
   std::vector<std::vector<Member>> groups_;
   std::vector<std::size_t> group_of_;  // by stretch

@@ -10,8 +10,8 @@ constexpr double kUnlike = 0.02;  // layers on both sides of an edge that differ
 
 class LayersAlong {
  public:
-  LayersAlong(Evaluator& evaluator, Stretches& stretches)
-      : evaluator_(evaluator), stretches_(stretches) {}
+  LayersAlong(const RunContext& context, Evaluator& evaluator, Stretches& stretches)
+      : context_(context), evaluator_(evaluator), stretches_(stretches) {}
 
   // After all else: the segments that layers need at their ends shorten no other edge's.
   std::vector<Diagnostic> run(const std::vector<MatchEnd>& match_ends) {
@@ -19,6 +19,7 @@ class LayersAlong {
     for (const MatchEnd& match : match_ends) at_end[{match.edge, match.end}].push_back(&match);
     std::vector<std::pair<std::size_t, LayeredCuts>> planned;  // all by the walls as they are now
     for (std::size_t i = 0; i < stretches_.all.size(); ++i) {
+      context_.check();
       const EdgeId edge = stretches_[i].edge;
       std::vector<LayerSeries> series[2];
       for (int end = 0; end < 2; ++end) {
@@ -81,6 +82,7 @@ class LayersAlong {
     notes_.push_back(std::move(note));
   }
 
+  const RunContext& context_;
   Evaluator& evaluator_;
   Stretches& stretches_;
   std::vector<Diagnostic> notes_;
@@ -88,10 +90,10 @@ class LayersAlong {
 
 }  // namespace
 
-std::vector<Diagnostic> run_layers_along(Evaluator& evaluator,
+std::vector<Diagnostic> run_layers_along(const RunContext& context, Evaluator& evaluator,
                                          const std::vector<MatchEnd>& match_ends,
                                          Stretches& stretches) {
-  return LayersAlong(evaluator, stretches).run(match_ends);
+  return LayersAlong(context, evaluator, stretches).run(match_ends);
 }
 
 }  // namespace advlayers

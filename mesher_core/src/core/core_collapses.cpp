@@ -20,14 +20,14 @@ constexpr int kRounds = 4;
 
 class Collapser {
  public:
-  Collapser(SurfaceMesh& mesh, const CancelFlag& cancel) : mesh_(mesh), cancel_(cancel) {}
+  Collapser(const RunContext& context, SurfaceMesh& mesh) : mesh_(mesh), context_(context) {}
 
   int run() {
     int total = 0;
     for (int round = 0; round < kRounds; ++round) {
       int collapsed = 0;
       for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
-        cancel_.check();
+        context_.check();
         const FaceH f(i);
         if (is_poor(f) && collapse_side(f)) ++collapsed;
       }
@@ -120,13 +120,13 @@ class Collapser {
   }
 
   SurfaceMesh& mesh_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
 };
 
 }  // namespace
 
-int collapse_slivers(SurfaceMesh& mesh, const CancelFlag& cancel) {
-  return Collapser(mesh, cancel).run();
+int collapse_slivers(const RunContext& context, SurfaceMesh& mesh) {
+  return Collapser(context, mesh).run();
 }
 
 }  // namespace advlayers

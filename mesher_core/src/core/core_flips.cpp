@@ -24,7 +24,7 @@ bool flip_gains(const SurfaceMesh& mesh, HalfedgeH h) {
 
 }  // namespace
 
-int flip_core(SurfaceMesh& mesh, const CancelFlag& cancel) {
+int flip_core(const RunContext& context, SurfaceMesh& mesh) {
   std::vector<HalfedgeH> waiting;
   std::vector<char> listed(mesh.halfedge_capacity() / 2, 0);
   const auto enlist = [&](HalfedgeH h) {
@@ -36,7 +36,7 @@ int flip_core(SurfaceMesh& mesh, const CancelFlag& cancel) {
   for (std::size_t i = mesh.halfedge_capacity(); i >= 2; i -= 2) enlist(HalfedgeH(i - 2));
   int flips = 0;
   for (std::size_t step = 0; !waiting.empty(); ++step) {
-    if (step % kCancelStride == 0) cancel.check();
+    if (step % kCancelStride == 0) context.check();
     const HalfedgeH h = waiting.back();
     waiting.pop_back();
     listed[h.index() >> 1] = 0;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
@@ -11,6 +11,6 @@ namespace advlayers {
 // Flips until no flip of a core edge enlarges the smallest angle of its two triangles. A flip is
 // refused where a new triangle would lean from the surface by more than 30 degrees and more than
 // either old one does. Returns the number of flips. Throws Cancelled.
-int flip_core(SurfaceMesh& mesh, const CancelFlag& cancel);
+int flip_core(const RunContext& context, SurfaceMesh& mesh);
 
 }  // namespace advlayers

@@ -13,12 +13,12 @@ constexpr int kSweepsPerRound = 3;
 
 }  // namespace
 
-void improve_core(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
-  if (split_bent_edges(mesh, surface, cancel) > 0) flip_core(mesh, cancel);
+void improve_core(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface) {
+  if (split_bent_edges(context, mesh, surface) > 0) flip_core(context, mesh);
   const std::vector<VertexH> free = free_vertices(mesh);
   for (int round = 0; round < kRounds; ++round) {
-    flip_core(mesh, cancel);
-    smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweepsPerRound, cancel);
+    flip_core(context, mesh);
+    smooth_stars(context, mesh, surface, free, QuadTarget::kSquare, kSweepsPerRound);
   }
 }
 

@@ -4,13 +4,13 @@
 // Fronts, parent-kid edges and the CAD's boundary stay as they are.
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
 
 // The mesh is a valid mesh of the patch before and after. Throws Cancelled.
-void improve_core(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel);
+void improve_core(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface);
 
 }  // namespace advlayers

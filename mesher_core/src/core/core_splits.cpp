@@ -35,7 +35,7 @@ bool split_helps(const SurfaceMesh& mesh, HalfedgeH h, const VertexData& middle)
 
 }  // namespace
 
-int split_bent_edges(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
+int split_bent_edges(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface) {
   struct Bent {
     HalfedgeH edge;
     int halvings;
@@ -48,7 +48,7 @@ int split_bent_edges(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag&
   for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) enlist(HalfedgeH(i), 0);
   int splits = 0;
   for (std::size_t i = 0; i < waiting.size(); ++i) {
-    cancel.check();
+    context.check();
     const auto [h, halvings] = waiting[i];
     if (mesh.split_edge_veto(h) != Veto::kNone) continue;
     VertexData middle;

@@ -208,14 +208,14 @@ bool smooth_star(SurfaceMesh& mesh, PatchSurface& surface, QuadTarget target, Ve
 
 }  // namespace
 
-void smooth_stars(SurfaceMesh& mesh, PatchSurface& surface, const std::vector<VertexH>& movable,
-                  QuadTarget target, int sweeps, const CancelFlag& cancel) {
+void smooth_stars(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
+                  const std::vector<VertexH>& movable, QuadTarget target, int sweeps) {
   std::vector<char> waiting(mesh.vertex_capacity(), 0);
   for (const VertexH v : movable) waiting[v.index()] = 1;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     std::size_t moved = 0;
     for (std::size_t i = 0; i < movable.size(); ++i) {
-      if (i % kCancelStride == 0) cancel.check();
+      if (i % kCancelStride == 0) context.check();
       const VertexH v = movable[i];
       if (!waiting[v.index()] || !mesh.alive(v)) continue;
       waiting[v.index()] = 0;

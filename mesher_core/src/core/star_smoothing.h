@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 
@@ -20,7 +20,7 @@ enum class QuadTarget { kSquare, kRectangle };
 
 // Sweeps until no vertex moves by more than a small part of its edges' length, at most `sweeps`
 // times. A move that would fold a face is not made. Throws Cancelled.
-void smooth_stars(SurfaceMesh& mesh, PatchSurface& surface, const std::vector<VertexH>& movable,
-                  QuadTarget target, int sweeps, const CancelFlag& cancel);
+void smooth_stars(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
+                  const std::vector<VertexH>& movable, QuadTarget target, int sweeps);
 
 }  // namespace advlayers

@@ -135,7 +135,7 @@ bool is_triangle(const Face& face) {
 
 // From points on the edges and on curved faces: BRepBndLib takes the poles of B-splines for the
 // shape, or, when asked to be exact, as long as reading the file.
-double box_diagonal(Evaluator& evaluator) {
+double box_diagonal(const RunContext& context, Evaluator& evaluator) {
   const Model& model = evaluator.model();
   Eigen::AlignedBox3d box;
   for (const Vertex& vertex : model.vertices()) box.extend(vertex.xyz);
@@ -151,6 +151,7 @@ double box_diagonal(Evaluator& evaluator) {
   for (std::size_t f = 0; f < model.faces().size(); ++f) {
     const Face& face = model.faces()[f];
     if (face.kind == SurfaceKind::kPlane || !face.defect.empty()) continue;
+    context.check();
     for (int i = 0; i <= kOnFace; ++i) {
       for (int j = 0; j <= kOnFace; ++j) {
         const double u = face.u_min + (face.u_max - face.u_min) * i / kOnFace;
@@ -183,7 +184,7 @@ double largest_turn(Evaluator& evaluator, EdgeId id, const EdgeUse& a, const Edg
   return worst;
 }
 
-std::vector<double> measure_dihedrals(Evaluator& evaluator) {
+std::vector<double> measure_dihedrals(const RunContext& context, Evaluator& evaluator) {
   const Model& model = evaluator.model();
   std::vector<std::vector<EdgeUse>> uses(model.edges().size());
   for (std::size_t f = 0; f < model.faces().size(); ++f) {
@@ -193,6 +194,7 @@ std::vector<double> measure_dihedrals(Evaluator& evaluator) {
   }
   std::vector<double> angles(model.edges().size(), M_PI);
   for (std::size_t e = 0; e < uses.size(); ++e) {
+    context.check();
     if (model.edges()[e].degenerate) {
       angles[e] = 0.0;  // a pole parts nothing
     } else if (uses[e].size() == 2) {
@@ -204,7 +206,7 @@ std::vector<double> measure_dihedrals(Evaluator& evaluator) {
 
 }  // namespace
 
-Model build_model(std::unique_ptr<Model::Shape> shape) {
+Model build_model(const RunContext& context, std::unique_ptr<Model::Shape> shape) {
   return translated("shape", [&] {
     Model model;
     if (shape->faces.IsEmpty()) {
@@ -217,10 +219,12 @@ Model build_model(std::unique_ptr<Model::Shape> shape) {
       model.vertices_.push_back(build_vertex(shape->vertices(i)));
     }
     for (int i = 0; i < shape->edges.Extent(); ++i) {
+      context.check();
       model.edges_.push_back(build_edge(*shape, EdgeId(i)));
     }
     shape->pcurves.resize(static_cast<std::size_t>(shape->faces.Extent()));
     for (int i = 0; i < shape->faces.Extent(); ++i) {
+      context.check();
       const FaceId id(i);
       model.faces_.push_back(build_face(*shape, id, model.edges_, shape->pcurves[id.index()]));
       for (const auto& loop : model.faces_.back().loops) {
@@ -233,8 +237,8 @@ Model build_model(std::unique_ptr<Model::Shape> shape) {
     model.triangular_ = std::all_of(model.faces_.begin(), model.faces_.end(), is_triangle);
     model.shape_ = std::move(shape);
     Evaluator evaluator(model);
-    model.diagonal_ = box_diagonal(evaluator);
-    model.shape_->dihedral = measure_dihedrals(evaluator);
+    model.diagonal_ = box_diagonal(context, evaluator);
+    model.shape_->dihedral = measure_dihedrals(context, evaluator);
     return model;
   });
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/run_context.h"
 #include "base/sentence.h"
 #include "base/types.h"
 
@@ -92,7 +93,7 @@ class Model {
 
  private:
   std::vector<int> side_counts() const;
-  friend Model build_model(std::unique_ptr<Shape> shape);
+  friend Model build_model(const RunContext& context, std::unique_ptr<Shape> shape);
   std::unique_ptr<Shape> shape_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
@@ -106,8 +107,8 @@ std::string edge_name(EdgeId e);  // "Edge7"
 
 // Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges lie within
 // `sew_tolerance` [mm] of each other are joined there; 0: none are.
-// Throws InvalidInput if the text is no BREP, GeometryError if it holds no face.
-Model read_brep(const std::string& text, double sew_tolerance = 0.0);
+// Throws InvalidInput if the text is no BREP, GeometryError if it holds no face, and Cancelled.
+Model read_brep(const RunContext& context, const std::string& text, double sew_tolerance = 0.0);
 
 // Throws InvalidInput where OpenCASCADE's reader crashes on an IGES file, as it does on some
 // damaged ones; files of other formats pass. Costs the time to read the file: read_file() asks by
@@ -116,7 +117,8 @@ void check_file(const std::string& path);
 
 // Reads .step .stp .iges .igs .brep .brp by the ending, in any case; lengths come out in mm. Sews
 // as read_brep() does.
-// Throws InvalidInput for a missing or unreadable file, GeometryError if it holds no face.
-Model read_file(const std::string& path, double sew_tolerance = 0.0);
+// Throws InvalidInput for a missing or unreadable file, GeometryError if it holds no face, and
+// Cancelled.
+Model read_file(const RunContext& context, const std::string& path, double sew_tolerance = 0.0);
 
 }  // namespace advlayers

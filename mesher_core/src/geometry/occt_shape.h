@@ -65,6 +65,6 @@ auto translated(const char* subject, Work&& work) -> decltype(work()) {
 
 // Maps the shape's entities, unless sewing has done so, and asks for everything the mesher needs of
 // them. Throws GeometryError if it holds no face.
-Model build_model(std::unique_ptr<Model::Shape> shape);
+Model build_model(const RunContext& context, std::unique_ptr<Model::Shape> shape);
 
 }  // namespace advlayers

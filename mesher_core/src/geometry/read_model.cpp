@@ -23,6 +23,7 @@
 #include "geometry/brep_text.h"
 #include "geometry/child_process.h"
 #include "geometry/occt_shape.h"
+#include "geometry/read_progress.h"
 #include "geometry/sew_shape.h"
 
 namespace advlayers {
@@ -72,7 +73,7 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-TopoDS_Shape parse_brep(const std::string& text) {
+TopoDS_Shape parse_brep(const RunContext& context, const std::string& text) {
   check_brep_text(text);
   TopoDS_Shape shape;
   std::istringstream stream(text);
@@ -80,22 +81,28 @@ TopoDS_Shape parse_brep(const std::string& text) {
   const std::lock_guard<std::mutex> lock(reader_mutex());
   const QuietMessenger quiet;
   try {
-    BRepTools::Read(shape, stream, builder);
+    const Handle(ReadProgress) progress = new ReadProgress(context);
+    BRepTools::Read(shape, stream, builder, progress->Start());
   } catch (const Standard_Failure&) {
     shape.Nullify();
   }
+  context.check();
   return shape;
 }
 
 // Runs the reader, the reader's mutex held; `check` looks at what was loaded before it is turned
 // into a shape.
 template <class Reader, class Check>
-TopoDS_Shape transfer(Reader& reader, const std::string& path, Check&& check) {
+TopoDS_Shape transfer(const RunContext& context, Reader& reader, const std::string& path,
+                      Check&& check) {
   const QuietMessenger quiet;
   const Millimetres millimetres;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) return {};
+  context.check();
   check(reader);
-  reader.TransferRoots();
+  const Handle(ReadProgress) progress = new ReadProgress(context);
+  reader.TransferRoots(progress->Start());
+  context.check();
   return reader.OneShape();
 }
 
@@ -118,19 +125,19 @@ void refuse_damaged_geometry(STEPControl_Reader& reader, const std::string& path
   }
 }
 
-TopoDS_Shape read_step(const std::string& path) {
+TopoDS_Shape read_step(const RunContext& context, const std::string& path) {
   const std::lock_guard<std::mutex> lock(reader_mutex());
   STEPControl_Controller::Init();
   STEPControl_Reader reader;
-  return transfer(reader, path,
+  return transfer(context, reader, path,
                   [&](STEPControl_Reader& loaded) { refuse_damaged_geometry(loaded, path); });
 }
 
-TopoDS_Shape transfer_iges(const std::string& path) {
+TopoDS_Shape transfer_iges(const RunContext& context, const std::string& path) {
   IGESControl_Controller::Init();
   IGESControl_Reader reader;
   reader.SetReadVisible(Standard_True);  // construction geometry stays out, as in FreeCAD
-  return transfer(reader, path, [](IGESControl_Reader&) {});
+  return transfer(context, reader, path, [](IGESControl_Reader&) {});
 }
 
 // The last line of a file of fixed-length records counts the records of each section, by the letter
@@ -154,11 +161,12 @@ void refuse_cut_off_iges(const std::string& text, const std::string& path) {
   if (!whole) throw InvalidInput("{}: the IGES file is cut off, or is none", path);
 }
 
-TopoDS_Shape read_iges(const std::string& path, const std::string& text) {
+TopoDS_Shape read_iges(const RunContext& context, const std::string& path,
+                       const std::string& text) {
   refuse_cut_off_iges(text, path);
   check_file(path);
   const std::lock_guard<std::mutex> lock(reader_mutex());
-  return transfer_iges(path);
+  return transfer_iges(context, path);
 }
 
 // A translator that fails leaves no shape: the file's fault, not that of a shape in it.
@@ -171,27 +179,29 @@ TopoDS_Shape read_exchange(const std::string& path, Read&& read) {
   }
 }
 
-TopoDS_Shape parse_brep_file(const std::string& text, const std::string& path) {
+TopoDS_Shape parse_brep_file(const RunContext& context, const std::string& text,
+                             const std::string& path) {
   try {
-    return parse_brep(text);
+    return parse_brep(context, text);
   } catch (const InvalidInput& error) {
     throw InvalidInput("{}: {}", path, error.sentence());
   }
 }
 
-Model model_of(const TopoDS_Shape& root, double sew_tolerance) {
+Model model_of(const RunContext& context, const TopoDS_Shape& root, double sew_tolerance) {
   auto shape = std::make_unique<Model::Shape>();
   shape->root = root;
-  if (sew_tolerance > 0.0) sew_shape(*shape, sew_tolerance);
-  return build_model(std::move(shape));
+  if (sew_tolerance > 0.0) sew_shape(context, *shape, sew_tolerance);
+  return build_model(context, std::move(shape));
 }
 
 }  // namespace
 
-Model read_brep(const std::string& text, double sew_tolerance) {
-  const TopoDS_Shape root = parse_brep(text);
+Model read_brep(const RunContext& context, const std::string& text, double sew_tolerance) {
+  const StageScope stage(context, RunStage::kRead);
+  const TopoDS_Shape root = parse_brep(context, text);
   if (root.IsNull()) throw InvalidInput("the text is no BREP shape");
-  return model_of(root, sew_tolerance);
+  return model_of(context, root, sew_tolerance);
 }
 
 void check_file(const std::string& path) {
@@ -199,12 +209,13 @@ void check_file(const std::string& path) {
   if (ending != "iges" && ending != "igs") return;
   // Held here, as the copy would wait for ever for a thread that it has not.
   const std::lock_guard<std::mutex> lock(reader_mutex());
-  if (!survives([&] { transfer_iges(path); })) {
+  if (!survives([&] { transfer_iges(RunContext(), path); })) {
     throw InvalidInput("{}: the IGES file is damaged: OpenCASCADE's reader crashes on it", path);
   }
 }
 
-Model read_file(const std::string& path, double sew_tolerance) {
+Model read_file(const RunContext& context, const std::string& path, double sew_tolerance) {
+  const StageScope stage(context, RunStage::kRead);
   const std::string ending = ending_of(path);
   const bool brep = ending == "brep" || ending == "brp";
   const bool step = ending == "step" || ending == "stp";
@@ -216,12 +227,12 @@ Model read_file(const std::string& path, double sew_tolerance) {
   if (!file) throw InvalidInput("{}: the file cannot be opened", path);
   TopoDS_Shape root;
   if (step) {
-    root = read_exchange(path, [&] { return read_step(path); });
+    root = read_exchange(path, [&] { return read_step(context, path); });
   } else {
     std::ostringstream text;
     text << file.rdbuf();
-    root = brep ? parse_brep_file(text.str(), path)
-                : read_exchange(path, [&] { return read_iges(path, text.str()); });
+    root = brep ? parse_brep_file(context, text.str(), path)
+                : read_exchange(path, [&] { return read_iges(context, path, text.str()); });
   }
   if (root.IsNull()) {
     throw InvalidInput("{}: no shape could be read, it is no {} file or holds none", path,
@@ -230,7 +241,7 @@ Model read_file(const std::string& path, double sew_tolerance) {
                               : "IGES");
   }
   try {
-    return model_of(root, sew_tolerance);
+    return model_of(context, root, sew_tolerance);
   } catch (const GeometryError& error) {
     throw GeometryError("{}: {}", path, error.sentence());
   }

@@ -5,6 +5,8 @@
 #include <TopExp.hxx>
 #include <algorithm>
 
+#include "geometry/read_progress.h"
+
 namespace advlayers {
 namespace {
 
@@ -88,13 +90,15 @@ class SewnNumbering {
 
 }  // namespace
 
-void sew_shape(Model::Shape& shape, double tolerance) {
+void sew_shape(const RunContext& context, Model::Shape& shape, double tolerance) {
   translated("sewing", [&] {
     constexpr Standard_Boolean kSew = Standard_True, kAnalyse = Standard_True, kCut = Standard_True,
                                kNonManifold = Standard_True;
     BRepBuilderAPI_Sewing sewing(tolerance, kSew, kAnalyse, kCut, kNonManifold);
     sewing.Add(shape.root);
-    sewing.Perform();
+    const Handle(ReadProgress) progress = new ReadProgress(context);
+    sewing.Perform(progress->Start());
+    context.check();
     if (sewing.SewedShape().IsNull()) throw GeometryError("sewing left nothing of the shape");
     SewnNumbering(shape, sewing).run();
   });

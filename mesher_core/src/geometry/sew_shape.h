@@ -9,7 +9,7 @@ namespace advlayers {
 // each face keeps its number, and of edges that were joined the first lends the whole its number.
 // The others' numbers stand for edges without curve and face; `pieces` says what they became.
 // Sewing: BRepBuilderAPI_Sewing, also of three and more edges, cutting long edges where shorter
-// ones lie along them. Throws GeometryError where OpenCASCADE fails.
-void sew_shape(Model::Shape& shape, double tolerance);
+// ones lie along them. Throws GeometryError where OpenCASCADE fails, and Cancelled.
+void sew_shape(const RunContext& context, Model::Shape& shape, double tolerance);
 
 }  // namespace advlayers

@@ -15,16 +15,16 @@ constexpr double kNoCutAt = 0.002;  // of the chord from its ends
 
 class Imprinter {
  public:
-  Imprinter(SurfaceMesh& mesh, PatchSurface& surface, const Discretization& boundary,
-            const CancelFlag& cancel)
+  Imprinter(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
+            const Discretization& boundary)
       : mesh_(mesh),
         surface_(surface),
-        cancel_(cancel),
+        context_(context),
         sides_(mesh, surface, boundary),
         crossings_(mesh, surface, sides_) {}
 
   int run() {
-    missed_ = snap_to_edges(mesh_, surface_, sides_, crossings_, cancel_);
+    missed_ = snap_to_edges(context_, mesh_, surface_, sides_, crossings_);
     return rebuild();
   }
 
@@ -58,7 +58,7 @@ class Imprinter {
     for (std::size_t i = 0; i < count; i += 2) {
       const HalfedgeH h(i);
       if (!mesh_.alive(h)) continue;
-      cancel_.check();
+      context_.check();
       const VertexH a = mesh_.from(h), b = mesh_.to(h);
       VertexH last = a;
       std::vector<VertexH> on_edge;
@@ -192,7 +192,7 @@ class Imprinter {
     for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
       const FaceH f(i);
       if (!mesh_.alive(f)) continue;
-      cancel_.check();
+      context_.check();
       std::vector<VertexH> corners = polygon_of(f);
       const int layer = mesh_.data(f).layer;
       std::vector<std::vector<VertexH>> pieces{corners};
@@ -239,7 +239,7 @@ class Imprinter {
 
   SurfaceMesh& mesh_;
   PatchSurface& surface_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   FaceSides sides_;
   EdgeCrossings crossings_;
   // Vertices of the model inside the patch without a vertex of the mesh.
@@ -249,10 +249,10 @@ class Imprinter {
 
 }  // namespace
 
-int imprint_edges(SurfaceMesh& mesh, PatchSurface& surface, const Discretization& boundary,
-                  const CancelFlag& cancel) {
+int imprint_edges(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
+                  const Discretization& boundary) {
   if (!surface.has_inner_edges()) return 0;
-  return Imprinter(mesh, surface, boundary, cancel).run();
+  return Imprinter(context, mesh, surface, boundary).run();
 }
 
 }  // namespace advlayers

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "imprint/near_vertices.h"
 #include "measure/element_measures.h"
 
 namespace advlayers {
@@ -16,13 +17,13 @@ constexpr int kSnapRounds = 2;
 
 class Snapper {
  public:
-  Snapper(SurfaceMesh& mesh, PatchSurface& surface, FaceSides& sides, EdgeCrossings& crossings,
-          const CancelFlag& cancel)
-      : mesh_(mesh), surface_(surface), sides_(sides), crossings_(crossings), cancel_(cancel) {}
+  Snapper(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface, FaceSides& sides,
+          EdgeCrossings& crossings)
+      : mesh_(mesh), surface_(surface), sides_(sides), crossings_(crossings), context_(context) {}
 
   std::vector<VertexId> run() {
     for (std::size_t i = 0; i < mesh_.vertex_capacity(); ++i) settle(VertexH(i));
-    for (const VertexId vertex : vertices_inside()) snap_to(vertex);
+    snap_to_vertices();
     for (int round = 0; round < kSnapRounds && snap_all(); ++round) {
     }
     return std::move(missed_);
@@ -40,7 +41,7 @@ class Snapper {
 
   void settle(VertexH v) {
     if (!mesh_.alive(v) || mesh_.data(v).support != Support::kPatch) return;
-    cancel_.check();
+    context_.check();
     VertexData& data = mesh_.data(v);
     const FaceId before = data.point.face;
     surface_.settle(data.point);
@@ -97,30 +98,32 @@ class Snapper {
     return found;
   }
 
-  // A vertex of the model inside the patch takes the nearest vertex of the mesh that can move.
-  void snap_to(VertexId vertex) {
-    const Vec3& xyz = surface_.model().vertex(vertex).xyz;
-    const std::vector<FaceId> faces = sides_.at(vertex);
-    std::vector<std::pair<double, VertexH>> near;
-    for (std::size_t i = 0; i < mesh_.vertex_capacity(); ++i) {
-      const VertexH v(i);
-      if (!mesh_.alive(v)) continue;
-      near.emplace_back((mesh_.position(v) - xyz).norm(), v);
+  void snap_to_vertices() {
+    NearVertices vertices(mesh_);
+    for (const VertexId vertex : vertices_inside()) {
+      context_.check();
+      snap_to(vertex, vertices);
     }
+  }
+
+  // A vertex of the model inside the patch takes the nearest vertex of the mesh that can move.
+  void snap_to(VertexId vertex, NearVertices& vertices) {
     constexpr std::size_t kTried = 4;
-    const auto end = near.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, near.size()));
-    std::partial_sort(near.begin(), end, near.end());
-    for (auto it = near.begin(); it != end; ++it) {
-      const VertexH v = it->second;
+    const Vec3& xyz = surface_.model().vertex(vertex).xyz;
+    const auto near = vertices.nearest(xyz, kTried);
+    for (const auto& [distance, v] : near) {
       if (!movable(v)) {
-        if (it == near.begin() && it->first <= surface_.model().vertex(vertex).tolerance) return;
+        const bool first = v == near.front().second;
+        if (first && distance <= surface_.model().vertex(vertex).tolerance) return;
         continue;
       }
       SurfacePoint foot;
       if (!surface_.project(xyz, mesh_.data(v).point, foot)) continue;
       foot.xyz = xyz;
+      const Vec3 before = mesh_.position(v);
       if (!move(v, foot, Support::kVertex)) continue;
-      sides_.put(v, faces);
+      vertices.moved(v, before);
+      sides_.put(v, sides_.at(vertex));
       return;
     }
     missed_.push_back(vertex);
@@ -137,7 +140,7 @@ class Snapper {
     for (std::size_t i = 0; i < mesh_.halfedge_capacity(); i += 2) {
       const HalfedgeH h(i);
       if (!mesh_.alive(h)) continue;
-      cancel_.check();
+      context_.check();
       const VertexH a = mesh_.from(h), b = mesh_.to(h);
       const std::vector<CutPoint> cuts = crossings_.between(a, b);
       if (cuts.empty()) continue;
@@ -174,15 +177,16 @@ class Snapper {
   PatchSurface& surface_;
   FaceSides& sides_;
   EdgeCrossings& crossings_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   std::vector<VertexId> missed_;
 };
 
 }  // namespace
 
-std::vector<VertexId> snap_to_edges(SurfaceMesh& mesh, PatchSurface& surface, FaceSides& sides,
-                                    EdgeCrossings& crossings, const CancelFlag& cancel) {
-  return Snapper(mesh, surface, sides, crossings, cancel).run();
+std::vector<VertexId> snap_to_edges(const RunContext& context, SurfaceMesh& mesh,
+                                    PatchSurface& surface, FaceSides& sides,
+                                    EdgeCrossings& crossings) {
+  return Snapper(context, mesh, surface, sides, crossings).run();
 }
 
 }  // namespace advlayers

@@ -120,7 +120,7 @@ void stop_before_bends(LayerState& state) {
   for (int i = 0; i < front.size(); ++i) {
     const int k = front[i].next;
     if (k < 0 || !front[i].active || !front[k].active) continue;
-    state.cancel->check();
+    state.context.check();
     if (!finder.before_bend(i, k)) continue;
     stops[static_cast<std::size_t>(i)] = stops[static_cast<std::size_t>(k)] = 1;
   }

@@ -44,7 +44,7 @@ class Closer {
  private:
   void close_queued() {
     while (!queue_.empty()) {
-      state_.cancel->check();
+      state_.context.check();
       const int i = queue_.front();
       queue_.pop_front();
       if (!front_[i].active || front_[i].next < 0 || front_[i].prev < 0) continue;
@@ -83,7 +83,7 @@ class Closer {
       return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
     });
     for (const Gap& gap : gaps) {
-      state_.cancel->check();
+      state_.context.check();
       if (!front_[gap.node].active) continue;
       if ((state_.steps.rungs && place_rung(gap)) ||
           (state_.steps.bridges && place_triangle(gap))) {
@@ -169,7 +169,7 @@ class Closer {
   // The edge between two nodes, recovered and frozen; invalid where that fails or it was frozen.
   HalfedgeH freeze_between(int i, int k) {
     const HalfedgeH h = recover_edge(mesh_, front_[i].vertex, front_[k].vertex, state_.limits,
-                                     state_.report->vetoes);
+                                     state_.report.vetoes);
     if (!h.valid() || mesh_.frozen(h)) return {};
     mesh_.set_frozen(h, true);
     return h;
@@ -191,7 +191,7 @@ class Closer {
   // and takes them out of the core. The region is bounded by the front from a to b.
   bool cut_off(int a, int b, std::size_t faces) {
     const HalfedgeH cut = recover_edge(mesh_, front_[a].vertex, front_[b].vertex, state_.limits,
-                                       state_.report->vetoes);
+                                       state_.report.vetoes);
     if (!cut.valid()) return false;
     const bool was_frozen = mesh_.frozen(cut);
     mesh_.set_frozen(cut, true);
@@ -207,16 +207,16 @@ class Closer {
   // Closes the region left of a front edge as `faces` triangles, a quad where they are two.
   bool take(HalfedgeH h, std::size_t faces) {
     const std::vector<FaceH> region =
-        clear_region(mesh_, h, kMostFaces, state_.limits, state_.report->vetoes);
+        clear_region(mesh_, h, kMostFaces, state_.limits, state_.report.vetoes);
     if (region.size() != faces) return false;
     if (faces == 1) {
-      ++state_.report->triangles;
+      ++state_.report.triangles;
     } else {
       HalfedgeH e = mesh_.halfedge(region[0]);
       while (mesh_.frozen(e)) e = mesh_.next(e);
       if (mesh_.combine_veto(e) != Veto::kNone) return false;
       mesh_.combine(e);
-      ++state_.report->quads;
+      ++state_.report.quads;
     }
     return true;
   }

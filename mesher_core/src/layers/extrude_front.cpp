@@ -25,7 +25,7 @@ class Extruder {
 
   void run() {
     for (int i = 0; i < draft_.front.size(); ++i) {
-      draft_.state.cancel->check();
+      draft_.state.context.check();
       if (draft_.advances(i) && draft_.kids_of(i).empty()) extrude(i);
     }
     stop_bent_edges();

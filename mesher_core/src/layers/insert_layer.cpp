@@ -12,7 +12,7 @@ constexpr std::size_t kMostFaces = 2000;  // that one cell's region may hold bef
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool freeze(LayerState& state, VertexH a, VertexH b) {
-  const HalfedgeH h = recover_edge(state.mesh, a, b, state.limits, state.report->vetoes);
+  const HalfedgeH h = recover_edge(state.mesh, a, b, state.limits, state.report.vetoes);
   if (!h.valid()) return false;
   state.mesh.set_frozen(h, true);
   return true;
@@ -37,7 +37,7 @@ void undo(LayerState& state, Kid& kid) {
   } while (h != first);
   mesh.data(kid.vertex).layer = 0;
   mesh.data(kid.vertex).parent = VertexH();
-  remove_core_vertex(mesh, kid.vertex, Removal::kForced, state.limits, state.report->vetoes);
+  remove_core_vertex(mesh, kid.vertex, Removal::kForced, state.limits, state.report.vetoes);
   kid.vertex = VertexH();
 }
 
@@ -56,7 +56,7 @@ bool insert_vertex(LayerState& state, Kid& kid) {
   data.layer = state.layer;
   const VertexH origin = state.front[kid.origin].vertex;
   data.parent = origin;
-  kid.vertex = insert_point(state.mesh, origin, data, state.limits, state.report->vetoes);
+  kid.vertex = insert_point(state.mesh, origin, data, state.limits, state.report.vetoes);
   kid.alive = kid.vertex.valid();
   return kid.alive;
 }
@@ -105,10 +105,10 @@ bool combine(LayerState& state, HalfedgeH side) {
   HalfedgeH h = side;
   for (int k = 0; k < 3 && state.mesh.frozen(h); ++k) h = state.mesh.next(h);
   const Veto veto = state.mesh.combine_veto(h);
-  count(state.report->vetoes, veto);
+  count(state.report.vetoes, veto);
   if (veto != Veto::kNone) return false;
   state.mesh.combine(h);
-  ++state.report->quads;
+  ++state.report.quads;
   return true;
 }
 
@@ -116,7 +116,7 @@ bool close(LayerState& state, const LayerPlan& plan, const Cell& cell) {
   const HalfedgeH side = cell_edge(state, plan, cell, 0);
   if (!is_core(state.mesh, side)) return false;
   const std::vector<FaceH> faces =
-      clear_region(state.mesh, side, kMostFaces, state.limits, state.report->vetoes);
+      clear_region(state.mesh, side, kMostFaces, state.limits, state.report.vetoes);
   if (faces.size() != cell.corners.size() - 2) return false;
   if (!cell.layered) return combine(state, side);
   for (const FaceH f : faces) state.mesh.data(f).layer = state.layer;
@@ -140,19 +140,19 @@ void release(LayerState& state, const LayerPlan& plan, const Cell& cell) {
 
 void insert_kids(LayerState& state, LayerPlan& plan) {
   for (Kid& kid : plan.kids) {
-    state.cancel->check();
+    state.context.check();
     if (kid.alive) insert(state, kid);
   }
 }
 
 void recover_cells(LayerState& state, LayerPlan& plan) {
   for (Cell& cell : plan.cells) {
-    state.cancel->check();
+    state.context.check();
     if (cell.alive) cell.alive = recover_sides(state, plan, cell);
   }
   std::vector<std::uint8_t> held(plan.kids.size(), 0);
   for (Cell& cell : plan.cells) {
-    state.cancel->check();
+    state.context.check();
     if (cell.alive) cell.alive = close(state, plan, cell);
     if (!cell.alive) continue;
     for (const CellCorner& corner : cell.corners) {
@@ -171,9 +171,9 @@ void combine_cells(LayerState& state, const LayerPlan& plan) {
   for (const Cell& cell : plan.cells) {
     if (!cell.alive || !cell.layered) continue;
     if (cell.corners.size() == 3) {
-      ++state.report->triangles;
+      ++state.report.triangles;
     } else if (!combine(state, cell_edge(state, plan, cell, 0))) {
-      state.report->triangles += 2;
+      state.report.triangles += 2;
     }
   }
 }

@@ -19,6 +19,7 @@ inline constexpr int kStraightLayers = 5;
 inline constexpr double kRegularTurn = 20.0 * M_PI / 180.0;  // of the front, at most
 
 struct LayerState {
+  const RunContext& context;
   PatchId patch;
   SurfaceMesh& mesh;
   PatchSurface& surface;
@@ -29,16 +30,15 @@ struct LayerState {
   ReconnectLimits limits{};
   SwapQueue swaps;
   int layer = 0;
-  LayerReport* report = nullptr;
-  const CancelFlag* cancel = nullptr;
+  LayerReport report{};  // of this layer
   std::vector<Diagnostic> diagnostics{};
   std::vector<StopRecord> stops{};
 
-  void count_event(Event event) { ++report->events[static_cast<std::size_t>(event)]; }
+  void count_event(Event event) { ++report.events[static_cast<std::size_t>(event)]; }
 
   // Why the node's column ends.
   void note_stop(int node, Stop reason) {
-    ++report->stops[static_cast<std::size_t>(reason)];
+    ++report.stops[static_cast<std::size_t>(reason)];
     stops.push_back({front[node].root, reason, layer});
   }
 };

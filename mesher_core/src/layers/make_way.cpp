@@ -41,7 +41,7 @@ void clear_about(LayerState& state, const FrontNode& node, double length) {
     const VertexH w = nearest_core(mesh, node.vertex, reach, refused, distance);
     if (!w.valid()) return;
     const Removal removal = distance < kInLayer * height ? Removal::kForced : Removal::kGuarded;
-    if (!remove_core_vertex(mesh, w, removal, state.limits, state.report->vetoes)) {
+    if (!remove_core_vertex(mesh, w, removal, state.limits, state.report.vetoes)) {
       refused.push_back(w);
     }
   }
@@ -54,7 +54,7 @@ void make_way(LayerState& state) {
   for (int i = 0; i < front.size(); ++i) {
     const FrontNode& node = front[i];
     if (!node.active) continue;
-    state.cancel->check();
+    state.context.check();
     double length = 0.0;
     for (const int k : {node.prev, node.next}) {
       if (k < 0) continue;
@@ -63,7 +63,7 @@ void make_way(LayerState& state) {
     }
     clear_about(state, node, length);
   }
-  state.swaps.run(state.limits, state.report->vetoes);
+  state.swaps.run(state.limits, state.report.vetoes);
 }
 
 }  // namespace advlayers

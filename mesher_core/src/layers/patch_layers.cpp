@@ -37,17 +37,22 @@ struct PatchLayers::Impl {
   LayerState state;
   StepHook hook;
 
-  Impl(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan,
-       const LayerSteps& steps)
-      : state{patch,           mesh,
-              surface,         Front(mesh, plan),
-              plan.max_height, plan.stop_at_isotropy,
-              steps,           ReconnectLimits{},
+  Impl(const RunContext& context, PatchId patch, SurfaceMesh& mesh, PatchSurface& surface,
+       const WallPlan& plan, const LayerSteps& steps)
+      : state{context,
+              patch,
+              mesh,
+              surface,
+              Front(mesh, plan),
+              plan.max_height,
+              plan.stop_at_isotropy,
+              steps,
+              ReconnectLimits{},
               SwapQueue(mesh)} {}
 
   void done(Step step) const {
     if (hook) hook(step, state.mesh);
-    state.cancel->check();
+    state.context.check();
   }
 
   // Algorithm 1, lines 8 to 17. The front is collapsed in the plan, before anything is inserted.
@@ -68,29 +73,27 @@ struct PatchLayers::Impl {
     done(Step::kCombine);
     if (state.steps.smoothing) smooth_layer(state, plan);
     done(Step::kSmooth);
-    state.swaps.run(state.limits, state.report->vetoes);
+    state.swaps.run(state.limits, state.report.vetoes);
     done(Step::kImprove);
     advance_front(state, plan);
     done(Step::kGrow);
   }
 };
 
-PatchLayers::PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface,
-                         const WallPlan& plan, const LayerSteps& steps)
-    : impl_(std::make_unique<Impl>(patch, mesh, surface, plan, steps)) {}
+PatchLayers::PatchLayers(const RunContext& context, PatchId patch, SurfaceMesh& mesh,
+                         PatchSurface& surface, const WallPlan& plan, const LayerSteps& steps)
+    : impl_(std::make_unique<Impl>(context, patch, mesh, surface, plan, steps)) {}
 PatchLayers::~PatchLayers() = default;
 
-bool PatchLayers::advance(LayerReport& report, const CancelFlag& cancel) {
+std::optional<LayerReport> PatchLayers::advance() {
   LayerState& state = impl_->state;
-  report = LayerReport();
-  if (state.front.active_count() == 0) return false;
-  state.report = &report;
-  state.cancel = &cancel;
-  report.patch = state.patch;
-  report.layer = ++state.layer;
+  if (state.front.active_count() == 0) return std::nullopt;
+  state.report = LayerReport();
+  state.report.patch = state.patch;
+  state.report.layer = ++state.layer;
   impl_->advance_layer();
-  report.front_vertices = state.front.active_count();
-  return true;
+  state.report.front_vertices = state.front.active_count();
+  return state.report;
 }
 
 void PatchLayers::set_step_hook(StepHook hook) { impl_->hook = std::move(hook); }

@@ -6,11 +6,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/cancel.h"
 #include "base/diagnostic.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "layers/layer_steps.h"
 #include "layers/wall_plan.h"
@@ -81,13 +82,14 @@ class PatchLayers {
   // Called after each step of a layer; the mesh is valid then. For tests and previews.
   using StepHook = std::function<void(Step, const SurfaceMesh&)>;
 
-  PatchLayers(PatchId patch, SurfaceMesh& mesh, PatchSurface& surface, const WallPlan& plan,
-              const LayerSteps& steps = {});
+  // The context, the mesh and the surface must outlive it.
+  PatchLayers(const RunContext& context, PatchId patch, SurfaceMesh& mesh, PatchSurface& surface,
+              const WallPlan& plan, const LayerSteps& steps = {});
   ~PatchLayers();
 
-  // Advances one layer. Returns false, and changes nothing, once no front is left.
+  // Advances one layer; empty, and nothing changes, once no front is left.
   // Throws Cancelled at the next local operation after a stop was asked for.
-  bool advance(LayerReport& report, const CancelFlag& cancel);
+  std::optional<LayerReport> advance();
 
   void set_step_hook(StepHook hook);
   const std::vector<Diagnostic>& diagnostics() const;

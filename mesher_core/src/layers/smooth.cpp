@@ -95,7 +95,7 @@ void smooth_layer(LayerState& state, const LayerPlan& plan) {
   const std::vector<Spring> moving = springs(state, plan);
   for (int pass = 0; pass < kPasses; ++pass) {
     for (const Spring& spring : moving) {
-      state.cancel->check();
+      state.context.check();
       const VertexH v = plan.kids[index(spring.kid)].vertex;
       Vec3 step = force(mesh, plan, spring);
       const double most = kMostStep * spring.height;

@@ -275,7 +275,7 @@ bool is_steep(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface) {
   return uprightness(mesh, corners_around(mesh, face), surface) < kSteep;
 }
 
-int mend_inverted(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel) {
+int mend_inverted(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface) {
   Mender mender(mesh, surface);
   int left = 0;
   bool thoroughly = false;
@@ -283,7 +283,7 @@ int mend_inverted(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& ca
     left = 0;
     bool mended = false;
     for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
-      cancel.check();
+      context.check();
       const FaceH f(i);
       if (!mesh.alive(f) || !mender.is_faulty(f)) continue;
       ++left;

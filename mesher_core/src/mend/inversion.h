@@ -1,7 +1,7 @@
 // Elements that are turned over against the surface, and their repair.
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 
@@ -17,6 +17,6 @@ bool is_steep(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface);
 // Tries to turn inverted elements back by flips, by cutting the pentagon with a neighbour anew, by
 // dividing quads: whichever leaves fewer inverted. Layers are cut into where nothing else helps;
 // the border stays. Returns the number of elements still inverted. Throws Cancelled.
-int mend_inverted(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel);
+int mend_inverted(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface);
 
 }  // namespace advlayers

@@ -19,7 +19,7 @@ struct Chord {
 };
 
 // Every edge between two boundary nodes: of borders, and inside patches.
-void collect(const std::vector<std::unique_ptr<PatchJob>>& jobs, const CancelFlag& cancel,
+void collect(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
              std::vector<NodePair>& borders, std::vector<Chord>& chords) {
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     if (!jobs[k]->meshed()) continue;
@@ -27,7 +27,7 @@ void collect(const std::vector<std::unique_ptr<PatchJob>>& jobs, const CancelFla
     for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
       const HalfedgeH h(i);
       if (!mesh.alive(h)) continue;
-      cancel.check();
+      context.check();
       const NodeId a = mesh.data(mesh.from(h)).node, b = mesh.data(mesh.to(h)).node;
       if (!a.valid() || !b.valid()) continue;
       const NodePair ends = std::minmax(a, b);
@@ -44,11 +44,12 @@ void collect(const std::vector<std::unique_ptr<PatchJob>>& jobs, const CancelFla
 
 }  // namespace
 
-void part_doubled_edges(const std::vector<std::unique_ptr<PatchJob>>& jobs,
-                        const Discretization& boundary, const CancelFlag& cancel) {
+void part_doubled_edges(const RunContext& context,
+                        const std::vector<std::unique_ptr<PatchJob>>& jobs,
+                        const Discretization& boundary) {
   std::vector<NodePair> borders;
   std::vector<Chord> chords;
-  collect(jobs, cancel, borders, chords);
+  collect(context, jobs, borders, chords);
   std::vector<std::vector<HalfedgeH>> doubled(jobs.size());
   for (std::size_t i = 0; i < chords.size(); ++i) {
     const bool again = i > 0 && chords[i - 1].ends == chords[i].ends;

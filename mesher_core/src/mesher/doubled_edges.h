@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "mesher/patch_job.h"
 
 namespace advlayers {
@@ -13,7 +13,8 @@ namespace advlayers {
 // of an arc that they share, and so may the two sides of a slit: one edge with four elements once
 // the patches are merged. All but the first get a vertex in their middle, and so does every edge
 // inside a patch that joins neighbours on a boundary. Throws Cancelled.
-void part_doubled_edges(const std::vector<std::unique_ptr<PatchJob>>& jobs,
-                        const Discretization& boundary, const CancelFlag& cancel);
+void part_doubled_edges(const RunContext& context,
+                        const std::vector<std::unique_ptr<PatchJob>>& jobs,
+                        const Discretization& boundary);
 
 }  // namespace advlayers

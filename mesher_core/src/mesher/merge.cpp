@@ -11,9 +11,9 @@ constexpr int kUnused = -1;
 
 class Merger {
  public:
-  Merger(const std::vector<std::unique_ptr<PatchJob>>& jobs, const Discretization& boundary,
-         const CancelFlag& cancel)
-      : jobs_(jobs), boundary_(boundary), cancel_(cancel) {}
+  Merger(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
+         const Discretization& boundary)
+      : jobs_(jobs), boundary_(boundary), context_(context) {}
   MeshResult run();
 
  private:
@@ -26,7 +26,7 @@ class Merger {
 
   const std::vector<std::unique_ptr<PatchJob>>& jobs_;
   const Discretization& boundary_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   std::vector<int> boundary_number_;  // by NodeId
   std::vector<char> edge_used_;       // by EdgeId: a meshed patch has it on its border
   MeshResult result_;
@@ -60,7 +60,7 @@ void Merger::number_boundary_nodes() {
 void Merger::add_nodes(const SurfaceMesh& mesh, std::vector<int>& number) {
   number.assign(mesh.vertex_capacity(), kUnused);
   for (std::size_t i = 0; i < number.size(); ++i) {
-    cancel_.check();
+    context_.check();
     const VertexH v(i);
     if (!mesh.alive(v)) continue;
     const VertexData& data = mesh.data(v);
@@ -89,7 +89,7 @@ void Merger::add_parents(const SurfaceMesh& mesh, const std::vector<int>& number
 void Merger::add_elements(const PatchJob& job, const std::vector<int>& number) {
   const SurfaceMesh& mesh = job.mesh();
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
-    cancel_.check();
+    context_.check();
     const FaceH f(i);
     if (!mesh.alive(f)) continue;
     std::array<int, 4> corner{};
@@ -158,9 +158,9 @@ MeshResult Merger::run() {
 
 }  // namespace
 
-MeshResult merge(const std::vector<std::unique_ptr<PatchJob>>& jobs, const Discretization& boundary,
-                 const CancelFlag& cancel) {
-  return Merger(jobs, boundary, cancel).run();
+MeshResult merge(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
+                 const Discretization& boundary) {
+  return Merger(context, jobs, boundary).run();
 }
 
 }  // namespace advlayers

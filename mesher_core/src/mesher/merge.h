@@ -13,7 +13,7 @@ namespace advlayers {
 // Nodes: those on CAD vertices and edges first, in the order of the discretization, then patch by
 // patch; elements patch by patch. Boundary nodes that no meshed patch uses are left out. Fills
 // the arrays, the patches' reports and the diagnostics. Throws Cancelled.
-MeshResult merge(const std::vector<std::unique_ptr<PatchJob>>& jobs, const Discretization& boundary,
-                 const CancelFlag& cancel);
+MeshResult merge(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
+                 const Discretization& boundary);
 
 }  // namespace advlayers

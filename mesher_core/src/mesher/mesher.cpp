@@ -1,7 +1,6 @@
 #include "mesher/mesher.h"
 
 #include <algorithm>
-#include <chrono>
 #include <deque>
 #include <mutex>
 #include <numeric>
@@ -33,24 +32,28 @@ constexpr std::size_t kMostForBetter = 2;
 // Times that patches may be parted where their meshes could not follow their faces.
 constexpr int kMostPartings = 3;
 
-using Clock = std::chrono::steady_clock;
-
-// Adds the wall-clock time of its life to one entry of the result's seconds.
-class Stopwatch {
+// Tells how many of the patches are done, by their areas.
+class Share {
  public:
-  explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
+  Share(const RunContext& context, const PatchJobs& jobs) : context_(context) {
+    for (const auto& job : jobs) whole_ += job->area();
+  }
+  void add(const PatchJob& job) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    done_ += job.area();
+    if (whole_ > 0.0) context_.tell_share(done_ / whole_);
+  }
 
  private:
-  double& total_;
-  Clock::time_point start_;
+  const RunContext& context_;
+  std::mutex mutex_;
+  double whole_ = 0.0, done_ = 0.0;
 };
 
 }  // namespace
 
 struct Mesher::Impl {
-  Impl(const Model& the_model, const Settings& the_settings);
+  Impl(RunContext& the_context, const Model& the_model, const Settings& the_settings);
   void place_initial_mesh();
   void make_jobs();
   void renew(std::size_t index);
@@ -60,7 +63,9 @@ struct Mesher::Impl {
   void triangulate_all();
   std::set<EdgeId> halve(const AskedEdges& asked, const std::vector<char>& chosen);
   void advance_all();
+  void grow_all();
   void finish_jobs();
+  std::map<std::string, double> seconds() const;
   bool part_faces(const std::vector<FaceId>& faces, const Sentence& said);
   void part_tight_faces();
   bool part_strained_faces();
@@ -68,9 +73,9 @@ struct Mesher::Impl {
   template <class Body>
   void for_each_job(const Body& body);
 
+  RunContext& context;
   const Model& model;
   Settings settings;
-  CancelFlag cancel;
   unsigned threads;
   Discretization boundary;
   Discretization first_cut;  // the boundary before any edge was halved
@@ -78,16 +83,16 @@ struct Mesher::Impl {
   std::vector<std::size_t> order;  // of starting the jobs: large patches first
   std::deque<LayerReport> pending;
   std::vector<Diagnostic> partings;
-  std::map<std::string, double> seconds{
-      {"boundary", 0.0}, {"triangulate", 0.0}, {"layers", 0.0}, {"core", 0.0}};
   bool started = false;
   bool growing = true;
+  int widest_front = 0;  // vertices, of all patches
   bool finished = false;
-  mutable std::mutex mutex;  // guards all but `cancel`
+  mutable std::mutex mutex;  // guards all but the context
 };
 
-Mesher::Impl::Impl(const Model& the_model, const Settings& the_settings)
-    : model(the_model),
+Mesher::Impl::Impl(RunContext& the_context, const Model& the_model, const Settings& the_settings)
+    : context(the_context),
+      model(the_model),
       settings(in_edges_of(the_model, the_settings)),
       threads(useful_threads(the_settings.threads)) {
   check(settings, model);
@@ -103,7 +108,7 @@ void Mesher::Impl::place_initial_mesh() {
     faces.emplace_back(i);
   }
   settings.initial_nodes =
-      std::make_shared<InitialNodes>(model, *settings.initial_mesh, faces, cancel);
+      std::make_shared<InitialNodes>(context, model, *settings.initial_mesh, faces);
 }
 
 // A patch that is finished, and has the same faces as before, stays as it is.
@@ -132,7 +137,7 @@ void Mesher::Impl::make_jobs() {
 template <class Body>
 void Mesher::Impl::for_each_job(const Body& body) {
   side_by_side(order.size(), threads, [&](std::size_t i) {
-    cancel.check();
+    context.check();
     body(*jobs[order[i]], order[i]);
   });
 }
@@ -141,12 +146,12 @@ void Mesher::Impl::for_each_job(const Body& body) {
 void Mesher::Impl::renew(std::size_t index) {
   const PatchJob& old = *jobs[index];
   jobs[index] = std::make_unique<PatchJob>(old.id(), old.faces(), model, settings);
-  jobs[index]->plan();
+  jobs[index]->plan(context);
 }
 
 void Mesher::Impl::cut_boundary() {
-  for_each_job([](PatchJob& job, std::size_t) {
-    if (!job.finished()) job.plan();
+  for_each_job([this](PatchJob& job, std::size_t) {
+    if (!job.finished()) job.plan(context);
   });
   std::vector<MatchEnd> match_ends;
   std::vector<FourSides> strips;
@@ -155,7 +160,7 @@ void Mesher::Impl::cut_boundary() {
     if (job->strip()) strips.push_back(*job->strip());
   }
   Evaluator evaluator(model);
-  Discretization cut = discretize(evaluator, settings, match_ends, strips);
+  Discretization cut = discretize(context, evaluator, settings, match_ends, strips);
   // Finished patches fit the boundary as it stands, with the edges that were halved since.
   if (same_cuts(cut, first_cut)) return;
   for_each_job([this](PatchJob& job, std::size_t index) {
@@ -167,11 +172,10 @@ void Mesher::Impl::cut_boundary() {
 void Mesher::Impl::start() {
   if (started) return;
   {
-    const Stopwatch watch(seconds["boundary"]);
-    cancel.check();
+    const StageScope stage(context, RunStage::kBoundary);
     cut_boundary();
   }
-  const Stopwatch watch(seconds["triangulate"]);
+  const StageScope stage(context, RunStage::kTriangulate);
   triangulate_all();
   release_free_memory();
   started = true;
@@ -181,6 +185,7 @@ void Mesher::Impl::start() {
 // not. A face that stays so however finely its edges are cut (they cross each other) is given up,
 // and no edge is halved for its sake: its neighbours would pay for it.
 void Mesher::Impl::triangulate_all() {
+  Share done(context, jobs);
   std::vector<AskedEdges> rounds;
   std::vector<char> waiting;
   for (const auto& job : jobs) waiting.push_back(job->finished() ? 0 : 1);
@@ -188,7 +193,8 @@ void Mesher::Impl::triangulate_all() {
   while (true) {
     AskedEdges asked(jobs.size());
     for_each_job([&](PatchJob& job, std::size_t index) {
-      if (waiting[index]) asked[index] = job.triangulate(boundary, cancel);
+      if (waiting[index]) asked[index] = job.triangulate(context, boundary);
+      if (rounds.empty()) done.add(job);
     });
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       waiting[i] = !asked[i].empty() && (rounds.size() < kMostForBetter || !jobs[i]->meshed());
@@ -208,7 +214,7 @@ void Mesher::Impl::triangulate_all() {
     const auto beside = [&](EdgeId edge) { return job.borders_on(edge); };
     if (!cured[index] || std::none_of(halved.begin(), halved.end(), beside)) return;
     if (job.finished()) renew(index);
-    jobs[index]->triangulate(boundary, cancel);
+    jobs[index]->triangulate(context, boundary);
   });
 }
 
@@ -225,23 +231,44 @@ std::set<EdgeId> Mesher::Impl::halve(const AskedEdges& asked, const std::vector<
 
 // One layer on every patch that still grows.
 void Mesher::Impl::advance_all() {
-  const Stopwatch watch(seconds["layers"]);
+  const StageScope stage(context, RunStage::kLayers);
   std::vector<std::optional<LayerReport>> reports(jobs.size());
-  for_each_job([&](PatchJob& job, std::size_t index) {
-    LayerReport report;
-    if (job.advance(report, cancel)) reports[index] = report;
-  });
+  for_each_job([&](PatchJob& job, std::size_t index) { reports[index] = job.advance(context); });
+  int front = 0;
   for (const auto& report : reports) {
-    if (report) pending.push_back(*report);
+    if (!report) continue;
+    pending.push_back(*report);
+    front += report->front_vertices;
   }
+  widest_front = std::max(widest_front, front);
+  if (widest_front > 0) context.tell_share(1.0 - static_cast<double>(front) / widest_front);
   growing =
       std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_value(); });
 }
 
+void Mesher::Impl::grow_all() {
+  start();
+  while (growing) advance_all();
+  pending.clear();
+}
+
+std::map<std::string, double> Mesher::Impl::seconds() const {
+  std::map<std::string, double> by_name;
+  for (const RunStage stage :
+       {RunStage::kBoundary, RunStage::kTriangulate, RunStage::kLayers, RunStage::kCore}) {
+    by_name[stage_name(stage)] = context.seconds(stage);
+  }
+  return by_name;
+}
+
 void Mesher::Impl::finish_jobs() {
-  const Stopwatch watch(seconds["core"]);
+  const StageScope stage(context, RunStage::kCore);
   release_free_memory();
-  for_each_job([this](PatchJob& job, std::size_t) { job.finish(boundary, cancel); });
+  Share done(context, jobs);
+  for_each_job([&](PatchJob& job, std::size_t) {
+    job.finish(context, boundary);
+    done.add(job);
+  });
   release_free_memory();
 }
 
@@ -276,6 +303,7 @@ bool Mesher::Impl::part_faces(const std::vector<FaceId>& faces, const Sentence& 
   make_jobs();
   started = false;
   growing = true;
+  widest_front = 0;
   return true;
 }
 
@@ -308,17 +336,15 @@ MeshResult Mesher::Impl::finish() {
   const bool whole = !growing && pending.empty();
   finish_jobs();
   for (int k = 0; whole && k < kMostPartings && part_strained_faces(); ++k) {
-    start();
-    while (growing) advance_all();
-    pending.clear();
+    grow_all();
     finish_jobs();
   }
-  const Stopwatch watch(seconds["core"]);
-  part_doubled_edges(jobs, boundary, cancel);
-  for_each_job([this](PatchJob& job, std::size_t) { job.measure(cancel); });
-  MeshResult result = merge(jobs, boundary, cancel);
+  const StageScope stage(context, RunStage::kCore);
+  part_doubled_edges(context, jobs, boundary);
+  for_each_job([this](PatchJob& job, std::size_t) { job.measure(context); });
+  MeshResult result = merge(context, jobs, boundary);
   if (settings.order == 2) {
-    add_mid_nodes(jobs, boundary, settings, threads, cancel, model, result);
+    add_mid_nodes(context, jobs, boundary, settings, threads, model, result);
   }
   FigureCounts counts;
   for (const auto& job : jobs) {
@@ -342,14 +368,14 @@ MeshResult Mesher::Impl::finish() {
   return result;
 }
 
-Mesher::Mesher(const Model& model, const Settings& settings)
-    : impl_(std::make_unique<Impl>(model, settings)) {}
+Mesher::Mesher(RunContext& context, const Model& model, const Settings& settings)
+    : impl_(std::make_unique<Impl>(context, model, settings)) {}
 
 Mesher::~Mesher() = default;
 
 std::optional<LayerReport> Mesher::next() {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  impl_->cancel.check();
+  impl_->context.check();
   if (impl_->finished) return std::nullopt;
   impl_->start();
   if (impl_->pending.empty() && impl_->growing) impl_->advance_all();
@@ -364,26 +390,24 @@ bool Mesher::ready() const {
   return lock.owns_lock() && !impl_->pending.empty();
 }
 
-void Mesher::cancel() { impl_->cancel.request(); }
-
 MeshResult Mesher::snapshot() const {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
   if (impl_->finished) throw InvalidInput("there is no snapshot after result(): it gave the mesh");
-  const CancelFlag never;
-  const CancelFlag& cancel = impl_->cancel.requested() ? never : impl_->cancel;
-  MeshResult result = merge(impl_->jobs, impl_->boundary, cancel);
+  const RunContext never;
+  const RunContext& context = impl_->context.cancelled() ? never : impl_->context;
+  MeshResult result = merge(context, impl_->jobs, impl_->boundary);
   name_given_edges(impl_->model, result);
-  result.seconds = impl_->seconds;
+  result.seconds = impl_->seconds();
   return result;
 }
 
 MeshResult Mesher::result() {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
   if (impl_->finished) throw InvalidInput("result() was called already; keep what it gave");
-  impl_->cancel.check();
-  impl_->start();
+  impl_->context.check();
+  if (!impl_->started) impl_->grow_all();
   MeshResult result = impl_->finish();
-  result.seconds = impl_->seconds;
+  result.seconds = impl_->seconds();
   impl_->finished = true;
   impl_->jobs.clear();
   return result;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "geometry/model.h"
 #include "mesher/result.h"
 #include "sizing/settings.h"
@@ -15,8 +15,9 @@ namespace advlayers {
 
 class Mesher {
  public:
-  // Throws InvalidInput naming a wrong setting. The model must outlive the mesher.
-  Mesher(const Model& model, const Settings& settings);
+  // Throws InvalidInput naming a wrong setting, and Cancelled. The context, made for this run, and
+  // the model must outlive the mesher; once the context is cancelled it stops for good.
+  Mesher(RunContext& context, const Model& model, const Settings& settings);
   ~Mesher();
 
   // Advances one layer of one patch (the first call also triangulates); empty when no front is
@@ -26,14 +27,12 @@ class Mesher {
   // True where next() has a report at hand, without work.
   bool ready() const;
 
-  // May be called from any thread; takes effect within one local operation's time.
-  void cancel();
-
   // The mesh as it stands, at any time before result(); its walls and figures are not measured.
   // Throws Cancelled where the stop is asked for meanwhile; one asked for before leaves the mesh.
   MeshResult snapshot() const;
-  // Finishes the core (improves, recombines), measures, and gives the mesh. Call once; meshes what
-  // next() has not been asked for yet up to the triangulation. Throws Cancelled.
+  // Finishes the core (improves, recombines), measures, and gives the mesh. Call once. Grows all
+  // layers where next() was never called; where it was, the layers so far are kept. Throws
+  // Cancelled.
   MeshResult result();
 
  private:

@@ -15,9 +15,10 @@ constexpr int kUnused = -1;
 
 class MidNodes {
  public:
-  MidNodes(const std::vector<std::unique_ptr<PatchJob>>& jobs, const Discretization& boundary,
-           const Settings& settings, unsigned threads, const CancelFlag& cancel, const Model& model)
-      : boundary_(mids_on_borders(model, boundary)), threads_(threads), cancel_(cancel) {
+  MidNodes(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
+           const Discretization& boundary, const Settings& settings, unsigned threads,
+           const Model& model)
+      : boundary_(mids_on_borders(model, boundary)), threads_(threads), context_(context) {
     for (const auto& job : jobs) {
       if (!job->meshed()) continue;
       patches_.push_back(std::make_unique<PatchMids>(*job, model, settings, boundary_));
@@ -43,7 +44,7 @@ class MidNodes {
 
   BoundaryMids boundary_;
   unsigned threads_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   std::vector<std::unique_ptr<PatchMids>> patches_;
   std::vector<std::vector<Side>> sides_;  // of each of the border's mid nodes
 };
@@ -51,8 +52,8 @@ class MidNodes {
 void MidNodes::place() {
   std::vector<std::vector<FaceH>> overbent(patches_.size());
   side_by_side(patches_.size(), threads_, [&](std::size_t i) {
-    patches_[i]->place(cancel_);
-    overbent[i] = patches_[i]->overbent(cancel_);
+    patches_[i]->place(context_);
+    overbent[i] = patches_[i]->overbent(context_);
   });
   ease(std::move(overbent));
 }
@@ -78,7 +79,7 @@ void MidNodes::ease(std::vector<std::vector<FaceH>> overbent) {
   }
   if (!waiting.empty()) find_sides();
   while (!waiting.empty()) {
-    cancel_.check();
+    context_.check();
     const auto [p, face] = waiting.front();
     waiting.pop_front();
     if (!patches_[p]->overbent(face)) continue;
@@ -194,10 +195,10 @@ void MidNodes::report(MeshResult& result) const {
 
 }  // namespace
 
-void add_mid_nodes(const std::vector<std::unique_ptr<PatchJob>>& jobs,
+void add_mid_nodes(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
                    const Discretization& boundary, const Settings& settings, unsigned threads,
-                   const CancelFlag& cancel, const Model& model, MeshResult& result) {
-  MidNodes mids(jobs, boundary, settings, threads, cancel, model);
+                   const Model& model, MeshResult& result) {
+  MidNodes mids(context, jobs, boundary, settings, threads, model);
   mids.place();
   mids.number(result);
   mids.report(result);

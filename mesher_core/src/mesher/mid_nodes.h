@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "boundary/discretization.h"
 #include "mesher/patch_job.h"
 #include "mesher/result.h"
@@ -14,9 +14,9 @@ namespace advlayers {
 // `result` is the merged mesh of the jobs. Mid nodes on borders come first, then patch by patch.
 // Where a curved element would be turned over at a node, mid nodes are drawn back, step by step,
 // until it is not; a diagnostic tells of it. Throws Cancelled.
-void add_mid_nodes(const std::vector<std::unique_ptr<PatchJob>>& jobs,
+void add_mid_nodes(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
                    const Discretization& boundary, const Settings& settings, unsigned threads,
-                   const CancelFlag& cancel, const Model& model, MeshResult& result);
+                   const Model& model, MeshResult& result);
 
 // Fills the mid nodes of the segments on CAD edges, whichever edges they are listed for.
 void find_segment_mids(MeshResult& result);

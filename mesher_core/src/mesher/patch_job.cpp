@@ -96,7 +96,8 @@ bool PatchJob::guard(const char* code, const Stage& stage) {
   }
 }
 
-void PatchJob::plan() {
+void PatchJob::plan(const RunContext& context) {
+  context.check();
   if (defective_) return;
   defective_ = !guard("face-not-meshed", [&] {
     walls_ = plan_walls(evaluator_, *settings_, faces_);
@@ -106,8 +107,8 @@ void PatchJob::plan() {
   });
 }
 
-std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
-                                          const CancelFlag& cancel) {
+std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
+                                          const Discretization& boundary) {
   if (defective_) return {};
   diagnostics_ = matches_.notes;
   std::vector<EdgeId> coarse;
@@ -120,7 +121,7 @@ std::vector<EdgeId> PatchJob::triangulate(const Discretization& boundary,
     if (fill_in_rows(boundary)) return;
     try {
       Triangulation made =
-          advlayers::triangulate(surface_, evaluator_, boundary, *settings_, cancel);
+          advlayers::triangulate(context, surface_, evaluator_, boundary, *settings_);
       mesh_ = std::move(made.mesh);
       coarse = std::move(made.coarse_edges);
       initial_nodes_ = made.initial_nodes;
@@ -152,22 +153,23 @@ bool PatchJob::fill_in_rows(const Discretization& boundary) {
   return true;
 }
 
-bool PatchJob::advance(LayerReport& report, const CancelFlag& cancel) {
-  if (!growing_) return false;
+std::optional<LayerReport> PatchJob::advance(const RunContext& context) {
+  std::optional<LayerReport> report;
+  if (!growing_) return report;
   growing_ = guard("layers-stopped",
                    [&] {
-                     if (!layers_)
-                       layers_ = std::make_unique<PatchLayers>(id_, mesh_, surface_, walls_);
-                     if (!layers_->advance(report, cancel)) {
-                       growing_ = false;
-                       return;
+                     if (!layers_) {
+                       layers_ =
+                           std::make_unique<PatchLayers>(context, id_, mesh_, surface_, walls_);
                      }
-                     report_.layers = report.layer;
-                     add_named(report.vetoes, veto_name, report_.vetoes);
-                     add_named(report.events, event_name, report_.events);
+                     report = layers_->advance();
                    }) &&
-             growing_;
-  return growing_;
+             report.has_value();
+  if (!growing_) return std::nullopt;
+  report_.layers = report->layer;
+  add_named(report->vetoes, veto_name, report_.vetoes);
+  add_named(report->events, event_name, report_.events);
+  return report;
 }
 
 // The layers watch the mesh for edges to swap; what follows is no business of theirs.
@@ -181,17 +183,17 @@ void PatchJob::end_layers() {
   thaw_core_edges(mesh_);
 }
 
-void PatchJob::complete(const CancelFlag& cancel) {
-  improve_core(mesh_, surface_, cancel);
-  if (settings_->core == CoreElements::kQuads) recombine(mesh_, surface_, cancel);
-  mend_inverted(mesh_, surface_, cancel);
+void PatchJob::complete(const RunContext& context) {
+  improve_core(context, mesh_, surface_);
+  if (settings_->core == CoreElements::kQuads) recombine(context, mesh_, surface_);
+  mend_inverted(context, mesh_, surface_);
   return_to_core(mesh_);
 }
 
-int PatchJob::count_inverted(const CancelFlag& cancel) {
+int PatchJob::count_inverted(const RunContext& context) {
   int inverted = 0;
   for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
-    cancel.check();
+    context.check();
     if (mesh_.alive(FaceH(i)) && is_inverted(mesh_, FaceH(i), surface_)) ++inverted;
   }
   return inverted;
@@ -199,15 +201,15 @@ int PatchJob::count_inverted(const CancelFlag& cancel) {
 
 // The layers ran across the edges inside the patch; here every element comes to lie on one face.
 // Where that would cost an element turned over, elements reach over the edges instead.
-void PatchJob::complete_along_edges(const Discretization& boundary, const CancelFlag& cancel) {
+void PatchJob::complete_along_edges(const RunContext& context, const Discretization& boundary) {
   SurfaceMesh across = mesh_;
-  int crossing = imprint_edges(mesh_, surface_, boundary, cancel);
-  collapse_slivers(mesh_, cancel);
-  complete(cancel);
-  if (const int inverted = count_inverted(cancel); inverted > 0) {
+  int crossing = imprint_edges(context, mesh_, surface_, boundary);
+  collapse_slivers(context, mesh_);
+  complete(context);
+  if (const int inverted = count_inverted(context); inverted > 0) {
     std::swap(mesh_, across);
-    complete(cancel);
-    if (count_inverted(cancel) < inverted) {
+    complete(context);
+    if (count_inverted(context) < inverted) {
       crossing = -1;
     } else {
       std::swap(mesh_, across);
@@ -230,7 +232,7 @@ void PatchJob::renumber(PatchId id) {
   }
 }
 
-void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) {
+void PatchJob::finish(const RunContext& context, const Discretization& boundary) {
   if (finished_) return;
   end_layers();
   if (!meshed_) return;
@@ -249,9 +251,9 @@ void PatchJob::finish(const Discretization& boundary, const CancelFlag& cancel) 
   const bool done = guard("core-not-improved", [&] {
     return_to_core(mesh_);
     if (surface_.has_inner_edges() && !surface_.faceted()) {
-      complete_along_edges(boundary, cancel);
+      complete_along_edges(context, boundary);
     } else {
-      complete(cancel);
+      complete(context);
     }
     if (faces_.size() > 1) find_faces(boundary);
     const std::string fault = find_connectivity_fault(mesh_);
@@ -276,10 +278,10 @@ void PatchJob::split_edges(const std::vector<HalfedgeH>& edges, const Discretiza
   });
 }
 
-void PatchJob::measure(const CancelFlag& cancel) {
+void PatchJob::measure(const RunContext& context) {
   if (!meshed_) return;
   guard("not-measured", [&] {
-    count_elements(cancel);
+    count_elements(context);
     judge_inverted();
     wall_reports_ = measure_walls(mesh_, surface_, walls_, stops_, report_.layers);
     for (WallReport& wall : wall_reports_) {
@@ -289,13 +291,13 @@ void PatchJob::measure(const CancelFlag& cancel) {
   });
 }
 
-void PatchJob::count_elements(const CancelFlag& cancel) {
+void PatchJob::count_elements(const RunContext& context) {
   counts_ = FigureCounts();
   inverted_.clear();
   report_.quads = report_.triangles = 0;
   report_.triangles_by_cause = triangle_causes(mesh_);
   for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
-    cancel.check();
+    context.check();
     const FaceH f(i);
     if (!mesh_.alive(f)) continue;
     const ElementCorners element = corners_of(mesh_, f);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "boundary/discretization.h"
 #include "geometry/four_sides.h"
 #include "geometry/patch_surface.h"
@@ -26,15 +26,16 @@ class PatchJob {
   PatchJob(const PatchJob&) = delete;
 
   // The stages, in this order; each throws Cancelled and nothing else.
-  void plan();  // what grows from each edge, and where layers run along one
+  void plan(
+      const RunContext& context);  // what grows from each edge, and where layers run along one
   // The CAD edges that are cut too coarsely for this patch: once these are cut finer, it may be
   // triangulated again. A patch that is meshed may ask for better, too.
-  std::vector<EdgeId> triangulate(const Discretization& boundary, const CancelFlag& cancel);
-  bool advance(LayerReport& report, const CancelFlag& cancel);  // false: no front is left
-  void finish(const Discretization& boundary, const CancelFlag& cancel);
+  std::vector<EdgeId> triangulate(const RunContext& context, const Discretization& boundary);
+  std::optional<LayerReport> advance(const RunContext& context);  // empty: no front is left
+  void finish(const RunContext& context, const Discretization& boundary);
   // Splits edges inside the finished patch; between finish() and measure().
   void split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary);
-  void measure(const CancelFlag& cancel);
+  void measure(const RunContext& context);
 
   bool meshed() const { return meshed_; }
   // Meshed to the end: the stages above pass it over from then on.
@@ -68,11 +69,11 @@ class PatchJob {
   void complain(Severity severity, const char* code, Sentence sentence);
   bool fill_in_rows(const Discretization& boundary);
   void end_layers();
-  void complete(const CancelFlag& cancel);
-  int count_inverted(const CancelFlag& cancel);
-  void complete_along_edges(const Discretization& boundary, const CancelFlag& cancel);
+  void complete(const RunContext& context);
+  int count_inverted(const RunContext& context);
+  void complete_along_edges(const RunContext& context, const Discretization& boundary);
   void find_faces(const Discretization& boundary);
-  void count_elements(const CancelFlag& cancel);
+  void count_elements(const RunContext& context);
   void judge_inverted();
   void judge_walls();
 

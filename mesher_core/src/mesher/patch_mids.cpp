@@ -110,7 +110,7 @@ void PatchMids::bend_layers() {
   }
 }
 
-void PatchMids::place(const CancelFlag& cancel) {
+void PatchMids::place(const RunContext& context) {
   mids_.assign(mesh_.halfedge_capacity() / 2, {});
   for (std::size_t e = 0; e < mids_.size(); ++e) {
     const HalfedgeH h(2 * e);
@@ -121,7 +121,7 @@ void PatchMids::place(const CancelFlag& cancel) {
   }
   bend_layers();
   for (std::size_t e = 0; e < mids_.size(); ++e) {
-    cancel.check();
+    context.check();
     const HalfedgeH h(2 * e);
     if (!mesh_.alive(h) || mids_[e].shared >= 0) continue;
     mids_[e].at = placed(h, 0);
@@ -142,10 +142,10 @@ bool PatchMids::overbent(FaceH face) const {
   return least_jacobian(element(face)) < kLeastJacobian;
 }
 
-std::vector<FaceH> PatchMids::overbent(const CancelFlag& cancel) const {
+std::vector<FaceH> PatchMids::overbent(const RunContext& context) const {
   std::vector<FaceH> found;
   for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
-    cancel.check();
+    context.check();
     if (mesh_.alive(FaceH(i)) && overbent(FaceH(i))) found.emplace_back(i);
   }
   return found;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "mesher/boundary_mids.h"
 #include "mesher/curved_element.h"
 #include "mesher/patch_job.h"
@@ -19,7 +19,7 @@ class PatchMids {
             const BoundaryMids& boundary);
 
   // Places all of them. Throws Cancelled.
-  void place(const CancelFlag& cancel);
+  void place(const RunContext& context);
 
   const PatchJob& job() const { return job_; }
   // Which of the border's mid nodes a mesh edge has; -1 where it has its own.
@@ -27,7 +27,7 @@ class PatchMids {
   Vec3 at(HalfedgeH h) const;
 
   // Elements that are turned over, or nearly so, at one of their nodes.
-  std::vector<FaceH> overbent(const CancelFlag& cancel) const;
+  std::vector<FaceH> overbent(const RunContext& context) const;
   bool overbent(FaceH face) const;
 
   // Draws the mid node of an edge that is not shared back by one step, first within the surface,

@@ -268,13 +268,13 @@ bool WeightExchange::improve(int node) {
 
 }  // namespace
 
-std::vector<int> match_pairs(int nodes, const std::vector<PairEdge>& edges,
-                             const CancelFlag& cancel) {
+std::vector<int> match_pairs(const RunContext& context, int nodes,
+                             const std::vector<PairEdge>& edges) {
   Pairing pairing(nodes, edges);
   match_greedily(pairing);
   AugmentingSearch search(pairing);
   for (int node = 0; node < nodes; ++node) {
-    cancel.check();
+    context.check();
     if (pairing.mate(node) == kNone) search.augment(node);
   }
   WeightExchange exchange(pairing);
@@ -282,7 +282,7 @@ std::vector<int> match_pairs(int nodes, const std::vector<PairEdge>& edges,
   for (int pass = 0; improved && pass < kExchangePasses; ++pass) {
     improved = false;
     for (int node = 0; node < nodes; ++node) {
-      cancel.check();
+      context.check();
       improved = exchange.improve(node) || improved;
     }
   }

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 
 namespace advlayers {
 
@@ -17,7 +17,7 @@ struct PairEdge {
 
 // The matched edge of each node as an index into `edges`; -1: alone. Deterministic.
 // Throws InternalError where a node has more than three edges, and Cancelled.
-std::vector<int> match_pairs(int nodes, const std::vector<PairEdge>& edges,
-                             const CancelFlag& cancel);
+std::vector<int> match_pairs(const RunContext& context, int nodes,
+                             const std::vector<PairEdge>& edges);
 
 }  // namespace advlayers

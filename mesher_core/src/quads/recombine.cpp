@@ -33,7 +33,7 @@ double pair_quality(const SurfaceMesh& mesh, HalfedgeH h) {
                       mesh.to(mesh.next(h)));
 }
 
-Candidates find_candidates(const SurfaceMesh& mesh, const CancelFlag& cancel) {
+Candidates find_candidates(const RunContext& context, const SurfaceMesh& mesh) {
   Candidates found;
   std::vector<int> node(mesh.face_capacity(), -1);
   const auto node_of = [&](FaceH f) {
@@ -45,7 +45,7 @@ Candidates find_candidates(const SurfaceMesh& mesh, const CancelFlag& cancel) {
     return number;
   };
   for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
-    cancel.check();
+    context.check();
     const HalfedgeH h(i);
     if (!mesh.alive(h) || mesh.combine_veto(h) != Veto::kNone) continue;
     const double quality = pair_quality(mesh, h);
@@ -63,11 +63,11 @@ void combine_pair(SurfaceMesh& mesh, HalfedgeH diagonal) {
   mesh.data(mesh.combine(diagonal)).layer = layer;
 }
 
-void pair_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
-  const Candidates found = find_candidates(mesh, cancel);
-  const auto matched = match_pairs(static_cast<int>(found.face.size()), found.pairs, cancel);
+void pair_triangles(const RunContext& context, SurfaceMesh& mesh) {
+  const Candidates found = find_candidates(context, mesh);
+  const auto matched = match_pairs(context, static_cast<int>(found.face.size()), found.pairs);
   for (std::size_t e = 0; e < found.pairs.size(); ++e) {
-    cancel.check();
+    context.check();
     if (matched[static_cast<std::size_t>(found.pairs[e].a)] != static_cast<int>(e)) continue;
     const HalfedgeH diagonal = found.diagonal[e];
     if (mesh.combine_veto(diagonal) == Veto::kNone) combine_pair(mesh, diagonal);
@@ -76,21 +76,21 @@ void pair_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
 
 }  // namespace
 
-void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel,
+void recombine(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
                const RecombineSteps& steps) {
-  pair_triangles(mesh, cancel);
+  pair_triangles(context, mesh);
   const std::vector<VertexH> free = free_vertices(mesh), seam = seam_vertices(mesh);
   for (int round = 0; round < kRounds; ++round) {
-    const int joined = steps.walks ? join_triangles(mesh, cancel) : 0;
+    const int joined = steps.walks ? join_triangles(context, mesh) : 0;
     if (round > 0 && joined == 0) break;
     if (!steps.smoothing) continue;
-    smooth_stars(mesh, surface, free, QuadTarget::kSquare, kSweeps, cancel);
-    smooth_stars(mesh, surface, seam, QuadTarget::kRectangle, kSweeps, cancel);
+    smooth_stars(context, mesh, surface, free, QuadTarget::kSquare, kSweeps);
+    smooth_stars(context, mesh, surface, seam, QuadTarget::kRectangle, kSweeps);
   }
-  if (steps.pairs) close_triangle_pairs(mesh, cancel);
-  if (steps.pentagons) recut_pentagons(mesh, cancel);
+  if (steps.pairs) close_triangle_pairs(context, mesh);
+  if (steps.pentagons) recut_pentagons(context, mesh);
   if (!steps.smoothing) return;
-  smooth_stars(mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps, cancel);
+  smooth_stars(context, mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps);
 }
 
 }  // namespace advlayers

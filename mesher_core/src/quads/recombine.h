@@ -3,7 +3,7 @@
 // quads about a vertex, and smooths towards right angles.
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 
@@ -19,7 +19,7 @@ struct RecombineSteps {
 
 // The mesh is a valid mesh of the patch before and after; frozen edges and the vertices outside
 // the core stay as they are. Throws Cancelled.
-void recombine(SurfaceMesh& mesh, PatchSurface& surface, const CancelFlag& cancel,
+void recombine(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
                const RecombineSteps& steps = {});
 
 }  // namespace advlayers

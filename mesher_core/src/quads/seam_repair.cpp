@@ -81,13 +81,13 @@ bool recut_triangle(SurfaceMesh& mesh, FaceH f) {
 
 }  // namespace
 
-int recut_pentagons(SurfaceMesh& mesh, const CancelFlag& cancel) {
+int recut_pentagons(const RunContext& context, SurfaceMesh& mesh) {
   constexpr int kPasses = 3;
   int total = 0;
   for (int pass = 0, cuts = 1; pass < kPasses && cuts > 0; ++pass) {
     cuts = 0;
     for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
-      cancel.check();
+      context.check();
       if (mesh.alive(FaceH(i))) cuts += recut_triangle(mesh, FaceH(i));
     }
     total += cuts;

@@ -2,7 +2,7 @@
 // front's edges are long; no vertex there is free, and swaps and smoothing alone cannot help.
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
@@ -10,6 +10,6 @@ namespace advlayers {
 // Cuts the pentagon that a bad triangle makes with a quad beside it, across the front if need be,
 // at the corner that gives the best shapes: a triangle flat on a front edge moves into the layer
 // below. After recombination. Returns the number of pentagons cut anew. Throws Cancelled.
-int recut_pentagons(SurfaceMesh& mesh, const CancelFlag& cancel);
+int recut_pentagons(const RunContext& context, SurfaceMesh& mesh);
 
 }  // namespace advlayers

@@ -238,14 +238,14 @@ bool PairCloser::close(FaceH start) {
 
 }  // namespace
 
-int close_triangle_pairs(SurfaceMesh& mesh, const CancelFlag& cancel) {
+int close_triangle_pairs(const RunContext& context, SurfaceMesh& mesh) {
   int pairs = 0;
   for (const bool through_layers : {false, true}) {
     PairCloser closer(mesh, through_layers);
     for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
       const FaceH f(i);
       if (!mesh.alive(f) || !mesh.is_triangle(mesh.halfedge(f)) || !closer.may_go(f)) continue;
-      cancel.check();
+      context.check();
       pairs += closer.close(f);
     }
   }

@@ -9,12 +9,12 @@
 //   p0-p1-p2-p3                p0-p1-p2-p3
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
 
 // Returns the number of pairs taken out. The first layers and the border stay. Throws Cancelled.
-int close_triangle_pairs(SurfaceMesh& mesh, const CancelFlag& cancel);
+int close_triangle_pairs(const RunContext& context, SurfaceMesh& mesh);
 
 }  // namespace advlayers

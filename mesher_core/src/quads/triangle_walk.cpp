@@ -148,13 +148,13 @@ bool Walker::join(FaceH start) {
 
 }  // namespace
 
-int join_triangles(SurfaceMesh& mesh, const CancelFlag& cancel) {
+int join_triangles(const RunContext& context, SurfaceMesh& mesh) {
   Walker walker(mesh);
   int pairs = 0;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     const FaceH f(i);
     if (!mesh.alive(f) || !is_core(mesh, f) || !mesh.is_triangle(mesh.halfedge(f))) continue;
-    cancel.check();
+    context.check();
     pairs += walker.join(f);
   }
   return pairs;

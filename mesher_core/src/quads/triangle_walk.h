@@ -9,7 +9,7 @@
 //            a ----- d               a ----- d
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
@@ -17,6 +17,6 @@ namespace advlayers {
 // Joins core triangles over at most a few quads each, nearest first; the positions stay. Every
 // quad on the way keeps corners that smoothing can open. Returns the number of pairs made.
 // Throws Cancelled.
-int join_triangles(SurfaceMesh& mesh, const CancelFlag& cancel);
+int join_triangles(const RunContext& context, SurfaceMesh& mesh);
 
 }  // namespace advlayers

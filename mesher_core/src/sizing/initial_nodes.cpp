@@ -99,10 +99,10 @@ class Neighbours {
 
 class Placer {
  public:
-  Placer(const Model& model, const InitialMesh& mesh, const CancelFlag& cancel)
+  Placer(const RunContext& context, const Model& model, const InitialMesh& mesh)
       : model_(model),
         mesh_(mesh),
-        cancel_(cancel),
+        context_(context),
         neighbours_(mesh),
         evaluator_(model),
         boxes_(face_boxes(model)),
@@ -150,7 +150,7 @@ class Placer {
   }
 
   void place(std::size_t node) {
-    cancel_.check();
+    context_.check();
     const std::vector<FaceId> asked = follow_neighbours(node);
     if (is_exact(node)) return;
     search(node, asked);
@@ -213,7 +213,7 @@ class Placer {
 
   const Model& model_;
   const InitialMesh& mesh_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   Neighbours neighbours_;
   Evaluator evaluator_;
   std::vector<Box> boxes_;
@@ -262,7 +262,7 @@ void Placer::check_cover(const std::vector<FaceId>& faces) {
     if (model_.face(face).defect.empty()) bare[face.index()] = samples(face);
   }
   for (const auto& triangle : mesh_.triangles) {
-    cancel_.check();
+    context_.check();
     Vec3 centroid = Vec3::Zero();
     for (const int v : triangle) centroid += mesh_.points[static_cast<std::size_t>(v)] / 3;
     double radius = 0.0;
@@ -284,11 +284,11 @@ void Placer::check_cover(const std::vector<FaceId>& faces) {
 
 }  // namespace
 
-InitialNodes::InitialNodes(const Model& model, const InitialMesh& mesh,
-                           const std::vector<FaceId>& faces, const CancelFlag& cancel)
+InitialNodes::InitialNodes(const RunContext& context, const Model& model, const InitialMesh& mesh,
+                           const std::vector<FaceId>& faces)
     : on_face_(model.faces().size()) {
   check_arrays(mesh);
-  Placer placer(model, mesh, cancel);
+  Placer placer(context, model, mesh);
   placer.run();
   placer.check_cover(faces);
   const Neighbours& neighbours = placer.neighbours();

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "base/cancel.h"
 #include "base/point_tree.h"
+#include "base/run_context.h"
 #include "geometry/model.h"
 #include "sizing/initial_mesh.h"
 
@@ -16,8 +16,8 @@ class InitialNodes {
   // Throws InvalidInput where the mesh is none of the shape, or not whole: an index out of range, a
   // coordinate that is not finite, no triangle, a node further off the shape than a quarter of its
   // spacing, a face of `faces` with a part that no triangle is near to. Throws Cancelled.
-  InitialNodes(const Model& model, const InitialMesh& mesh, const std::vector<FaceId>& faces,
-               const CancelFlag& cancel);
+  InitialNodes(const RunContext& context, const Model& model, const InitialMesh& mesh,
+               const std::vector<FaceId>& faces);
 
   // On the face; those on its border are on one of the faces beside it.
   const std::vector<SurfacePoint>& on(FaceId face) const { return on_face_[face.index()].nodes; }

@@ -66,12 +66,12 @@ Diagnostic diagnostic(Severity severity, const std::string& code, FaceId face, c
 
 }  // namespace
 
-Deviations check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
-                           const CancelFlag& cancel) {
+Deviations check_deviation(const RunContext& context, const SurfaceMesh& mesh,
+                           PatchSurface& surface) {
   std::set<EdgeId> edges;
   std::map<FaceId, Offence> inverted, deviating;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
-    cancel.check();
+    context.check();
     const FaceH f(i);
     if (!mesh.alive(f)) continue;
     const HalfedgeH h = mesh.halfedge(f);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "base/cancel.h"
 #include "base/diagnostic.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 
@@ -18,7 +18,7 @@ struct Deviations {
 
 // Diagnostics: "triangulation-inverted" (error) and "triangulation-deviates" (warning), each once
 // for every CAD face that has such triangles, at the worst of them, with their number.
-Deviations check_deviation(const SurfaceMesh& mesh, PatchSurface& surface,
-                           const CancelFlag& cancel);
+Deviations check_deviation(const RunContext& context, const SurfaceMesh& mesh,
+                           PatchSurface& surface);
 
 }  // namespace advlayers

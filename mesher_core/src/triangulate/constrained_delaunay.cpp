@@ -16,8 +16,8 @@ constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
-ConstrainedDelaunay::ConstrainedDelaunay(const std::vector<Vec2>& points,
-                                         const CancelFlag& cancel) {
+ConstrainedDelaunay::ConstrainedDelaunay(const RunContext& context,
+                                         const std::vector<Vec2>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite()) {
       throw InvalidInput("point {} of a triangulation is not finite", i);
@@ -29,7 +29,7 @@ ConstrainedDelaunay::ConstrainedDelaunay(const std::vector<Vec2>& points,
   std::size_t since_check = 0;
   int hint = 0;
   for (const int v : hilbert_order(points)) {
-    if (++since_check % kCancelStride == 0) cancel.check();
+    if (++since_check % kCancelStride == 0) context.check();
     hint = insert(v, hint);
   }
   visited_.clear();

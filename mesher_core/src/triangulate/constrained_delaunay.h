@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "triangulate/planar_triangulation.h"
 
 namespace advlayers {
@@ -16,7 +16,7 @@ class ConstrainedDelaunay {
   // The Delaunay triangulation of the points, inside a box well outside of them. Vertex i is
   // point i; equal points share the vertex of the first of them. Throws Cancelled, and InvalidInput
   // where a coordinate is not finite.
-  ConstrainedDelaunay(const std::vector<Vec2>& points, const CancelFlag& cancel);
+  ConstrainedDelaunay(const RunContext& context, const std::vector<Vec2>& points);
 
   // The vertex that stands for point i.
   int vertex(int i) const { return alias_[static_cast<std::size_t>(i)]; }

@@ -25,15 +25,15 @@ constexpr int kMostSplits = 4;  // per triangle at the outset
 
 class CreaseSplitter {
  public:
-  CreaseSplitter(LiftedTriangulation& sheet, const CancelFlag& cancel)
-      : sheet_(sheet), cancel_(cancel) {}
+  CreaseSplitter(const RunContext& context, LiftedTriangulation& sheet)
+      : sheet_(sheet), context_(context) {}
 
   void run() {
     std::vector<int> pending(mesh().triangles().size());
     std::iota(pending.begin(), pending.end(), 0);
     std::size_t budget = kMostSplits * pending.size();
     while (!pending.empty() && budget > 0) {
-      cancel_.check();
+      context_.check();
       const int t = pending.back();
       pending.pop_back();
       for (int i = 0; i < 3; ++i) {
@@ -102,13 +102,13 @@ class CreaseSplitter {
   }
 
   LiftedTriangulation& sheet_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
 };
 
 }  // namespace
 
-void split_creases(LiftedTriangulation& sheet, const CancelFlag& cancel) {
-  CreaseSplitter(sheet, cancel).run();
+void split_creases(const RunContext& context, LiftedTriangulation& sheet) {
+  CreaseSplitter(context, sheet).run();
 }
 
 }  // namespace advlayers

@@ -2,7 +2,7 @@
 // blade, a rounding that a loft let shrink to nothing. Halving edges there would chase the radius.
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "triangulate/lifted_triangulation.h"
 
 namespace advlayers {
@@ -10,6 +10,6 @@ namespace advlayers {
 // Divides every edge over such a fold where the normal has turned by half, or takes an end near to
 // that place for it. The vertices on the fold are marked as creases: no triangle is left that
 // reaches across. Throws Cancelled.
-void split_creases(LiftedTriangulation& sheet, const CancelFlag& cancel);
+void split_creases(const RunContext& context, LiftedTriangulation& sheet);
 
 }  // namespace advlayers

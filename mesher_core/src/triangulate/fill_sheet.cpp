@@ -92,13 +92,13 @@ bool spans_too_much(LiftedTriangulation& sheet, Side s) {
 // Halves such edges; each is looked at again only after it changed. A surface that is torn, and
 // jumps from place to place as the parameters hardly change, would be halved for ever: no more
 // points are made than edges of the least length leave room for.
-void split_wide_edges(LiftedTriangulation& sheet, const CancelFlag& cancel) {
+void split_wide_edges(const RunContext& context, LiftedTriangulation& sheet) {
   std::vector<int> pending(sheet.mesh().triangles().size());
   std::iota(pending.begin(), pending.end(), 0);
   const double least = sheet.least_size();
   const double most = sheet.mesh().point_count() + kMostWide + sheet.area() / (least * least);
   while (!pending.empty() && sheet.mesh().point_count() < most) {
-    cancel.check();
+    context.check();
     const int t = pending.back();
     pending.pop_back();
     for (int i = 0; i < 3; ++i) {
@@ -120,8 +120,8 @@ void split_wide_edges(LiftedTriangulation& sheet, const CancelFlag& cancel) {
 
 class FrontalInsertion {
  public:
-  FrontalInsertion(LiftedTriangulation& sheet, const CancelFlag& cancel)
-      : sheet_(sheet), cancel_(cancel) {}
+  FrontalInsertion(const RunContext& context, LiftedTriangulation& sheet)
+      : sheet_(sheet), context_(context) {}
 
   void run() {
     for (int t = 0; t < mesh().triangle_count(); ++t) assess(t);
@@ -130,7 +130,7 @@ class FrontalInsertion {
       const Entry entry = queue_.top();
       queue_.pop();
       if (entry.version != sheet_.version(entry.t) || state(entry.t) <= kRadiusLimit) continue;
-      cancel_.check();
+      context_.check();
       if (!insert_for(entry.t)) {
         settle(entry.t);
       }
@@ -246,7 +246,7 @@ class FrontalInsertion {
   }
 
   LiftedTriangulation& sheet_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   std::priority_queue<Entry> queue_;
   std::vector<double> radius_;
 };
@@ -294,12 +294,12 @@ Side edge_to_divide(const LiftedTriangulation& sheet, int t) {
   return best;
 }
 
-void refine_deviating(LiftedTriangulation& sheet, const CancelFlag& cancel) {
+void refine_deviating(const RunContext& context, LiftedTriangulation& sheet) {
   std::vector<int> pending(sheet.mesh().triangles().size());
   std::iota(pending.begin(), pending.end(), 0);
   const int limit = sheet.mesh().point_count() + kMostDivisions * sheet.mesh().triangle_count();
   while (!pending.empty() && sheet.mesh().point_count() < limit) {
-    cancel.check();
+    context.check();
     const int t = pending.back();
     pending.pop_back();
     if (worst_deviation_cosine(sheet, t) > std::cos(kDeviation)) continue;
@@ -314,15 +314,15 @@ void refine_deviating(LiftedTriangulation& sheet, const CancelFlag& cancel) {
 
 }  // namespace
 
-int fill_sheet(LiftedTriangulation& sheet, const std::vector<SurfacePoint>& initial,
-               const CancelFlag& cancel) {
+int fill_sheet(const RunContext& context, LiftedTriangulation& sheet,
+               const std::vector<SurfacePoint>& initial) {
   sheet.flip_all();
-  const int taken = insert_initial_points(sheet, initial, cancel);
-  split_wide_edges(sheet, cancel);
-  FrontalInsertion(sheet, cancel).run();
-  split_creases(sheet, cancel);
+  const int taken = insert_initial_points(context, sheet, initial);
+  split_wide_edges(context, sheet);
+  FrontalInsertion(context, sheet).run();
+  split_creases(context, sheet);
   sheet.straighten_poles();
-  refine_deviating(sheet, cancel);
+  refine_deviating(context, sheet);
   sheet.straighten_poles();
   sheet.put_in_order();
   return taken;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "triangulate/lifted_triangulation.h"
 
 namespace advlayers {
@@ -15,7 +15,7 @@ namespace advlayers {
 // number of those taken is returned.
 // Frontal insertion after Rebay, Efficient unstructured mesh generation by means of Delaunay
 // triangulation and Bowyer-Watson algorithm (1993), with flips instead of cavities.
-int fill_sheet(LiftedTriangulation& sheet, const std::vector<SurfacePoint>& initial,
-               const CancelFlag& cancel);
+int fill_sheet(const RunContext& context, LiftedTriangulation& sheet,
+               const std::vector<SurfacePoint>& initial);
 
 }  // namespace advlayers

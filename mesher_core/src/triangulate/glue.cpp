@@ -21,9 +21,9 @@ const double kSmoothTip = std::cos(10 * M_PI / 180);
 
 class Gluer {
  public:
-  Gluer(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary,
-        const CancelFlag& cancel)
-      : sheets_(sheets), boundary_(boundary), cancel_(cancel) {}
+  Gluer(const RunContext& context, std::vector<LiftedTriangulation>& sheets,
+        const Discretization& boundary)
+      : sheets_(sheets), boundary_(boundary), context_(context) {}
 
   GluedMesh run() {
     for (int round = 0; round < kRounds; ++round) {
@@ -88,7 +88,7 @@ class Gluer {
   void for_each_side(Act&& act) const {
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
-        cancel_.check();
+        context_.check();
         for (int i = 0; i < 3; ++i) act(SheetSide{s, {t, i}});
       }
     }
@@ -202,7 +202,7 @@ class Gluer {
     std::vector<std::array<VertexH, 3>> triangles;
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
-        cancel_.check();
+        context_.check();
         if (vanishes(s, t)) continue;
         const auto vertex = [&](int i) { return vertex_of_root_[root(corner(s, t, i))]; };
         triangles.push_back({vertex(0), vertex(1), vertex(2)});
@@ -227,7 +227,7 @@ class Gluer {
     std::vector<int> pole_uses(parent_.size(), 0);
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
-        cancel_.check();
+        context_.check();
         for (int i = 0; i < 3; ++i) {
           const std::size_t r = root(corner(s, t, i));
           const LiftedVertex& lifted = vertex_at(s, t, i);
@@ -290,7 +290,7 @@ class Gluer {
 
   std::vector<LiftedTriangulation>& sheets_;
   const Discretization& boundary_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   std::vector<std::size_t> first_corner_;
   std::vector<std::size_t> parent_;
   std::vector<VertexH> vertex_of_root_;
@@ -298,9 +298,9 @@ class Gluer {
 
 }  // namespace
 
-GluedMesh glue_sheets(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary,
-                      const CancelFlag& cancel) {
-  return Gluer(sheets, boundary, cancel).run();
+GluedMesh glue_sheets(const RunContext& context, std::vector<LiftedTriangulation>& sheets,
+                      const Discretization& boundary) {
+  return Gluer(context, sheets, boundary).run();
 }
 
 }  // namespace advlayers

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "mesh/surface_mesh.h"
 #include "triangulate/lifted_triangulation.h"
 
@@ -18,7 +18,7 @@ struct GluedMesh {
 // their CAD edge. Where the result would be no manifold (a face closed in a direction with
 // too few triangles around it), edges of the sheets are divided first. Throws BoundaryTooCoarse
 // where boundary edges alone are the reason.
-GluedMesh glue_sheets(std::vector<LiftedTriangulation>& sheets, const Discretization& boundary,
-                      const CancelFlag& cancel);
+GluedMesh glue_sheets(const RunContext& context, std::vector<LiftedTriangulation>& sheets,
+                      const Discretization& boundary);
 
 }  // namespace advlayers

@@ -21,8 +21,8 @@ constexpr int kMendingRounds = 6;
 
 class Improver {
  public:
-  Improver(GluedMesh& glued, PatchSurface& surface, const CancelFlag& cancel)
-      : mesh_(glued.mesh), ops_(glued.mesh, glued.sizes, surface), cancel_(cancel) {}
+  Improver(const RunContext& context, GluedMesh& glued, PatchSurface& surface)
+      : mesh_(glued.mesh), ops_(glued.mesh, glued.sizes, surface), context_(context) {}
 
   void run(Places places) {
     const int smoothing_rounds = places == Places::kEvened ? kSmoothingRounds : 0;
@@ -49,7 +49,7 @@ class Improver {
     while (!pending.empty()) {
       const HalfedgeH h = pending.back();
       pending.pop_back();
-      cancel_.check();
+      context_.check();
       if (mesh_.frozen(h) || !ops_.flip(h)) continue;
       const HalfedgeH t = SurfaceMesh::twin(h);
       pending.insert(pending.end(), {mesh_.next(h), mesh_.prev(h), mesh_.next(t), mesh_.prev(t)});
@@ -60,7 +60,7 @@ class Improver {
     for (std::size_t i = 0; i < mesh_.vertex_capacity(); ++i) {
       const VertexH v(i);
       if (!mesh_.alive(v) || !ops_.movable(v)) continue;
-      cancel_.check();
+      context_.check();
       ops_.move(v, ops_.center_of_neighbours(v), kGoodScore);
     }
     flip_all();
@@ -68,7 +68,7 @@ class Improver {
 
   void mend_lengths() {
     for_each_halfedge([&](HalfedgeH h) {
-      cancel_.check();
+      context_.check();
       const double relative = ops_.length(h) / ops_.wanted_length(h);
       if (relative > kTooLong) {
         ops_.split(h, kFairScore);
@@ -83,7 +83,7 @@ class Improver {
     bool changed = false;
     for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
       const FaceH f(i);
-      cancel_.check();
+      context_.check();
       if (!mesh_.alive(f) || ops_.score(f) >= kPoorScore) continue;
       if (mend(f)) changed = true;
     }
@@ -116,14 +116,14 @@ class Improver {
 
   SurfaceMesh& mesh_;
   SurfaceOps ops_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
 };
 
 }  // namespace
 
-void improve_surface(GluedMesh& glued, PatchSurface& surface, Places places,
-                     const CancelFlag& cancel) {
-  Improver(glued, surface, cancel).run(places);
+void improve_surface(const RunContext& context, GluedMesh& glued, PatchSurface& surface,
+                     Places places) {
+  Improver(context, glued, surface).run(places);
 }
 
 }  // namespace advlayers

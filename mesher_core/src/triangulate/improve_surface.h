@@ -2,7 +2,7 @@
 // taken from (u, v) any more. Borders and tips stay.
 #pragma once
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "triangulate/glue.h"
 
@@ -13,7 +13,7 @@ enum class Places { kEvened, kKept };
 
 // Flips, smooths, divides long edges and removes short ones until triangles are isotropic and
 // within the deviation bound, as far as the boundary lets them be.
-void improve_surface(GluedMesh& glued, PatchSurface& surface, Places places,
-                     const CancelFlag& cancel);
+void improve_surface(const RunContext& context, GluedMesh& glued, PatchSurface& surface,
+                     Places places);
 
 }  // namespace advlayers

@@ -13,8 +13,8 @@ using Side = PlanarTriangulation::Side;
 
 class InitialInsertion {
  public:
-  InitialInsertion(LiftedTriangulation& sheet, const CancelFlag& cancel)
-      : sheet_(sheet), cancel_(cancel) {
+  InitialInsertion(const RunContext& context, LiftedTriangulation& sheet)
+      : sheet_(sheet), context_(context) {
     for (const Vec2& p : sheet.sheet().points) bounds_.extend(p);
     const Face& face = sheet.face();
     for (const double turns_u : {0.0, -1.0, 1.0}) {
@@ -33,7 +33,7 @@ class InitialInsertion {
     for (const SurfacePoint& p : points) in_sheet.push_back(sheet_.sheet().from_uv({p.u, p.v}));
     int taken = 0;
     for (const int i : hilbert_order(in_sheet)) {
-      cancel_.check();
+      context_.check();
       if (insert(in_sheet[static_cast<std::size_t>(i)])) ++taken;
     }
     return taken;
@@ -86,7 +86,7 @@ class InitialInsertion {
   }
 
   LiftedTriangulation& sheet_;
-  const CancelFlag& cancel_;
+  const RunContext& context_;
   Eigen::AlignedBox2d bounds_;
   std::vector<Vec2> shifts_;
   int last_ = 0;  // triangle of the point before
@@ -94,10 +94,10 @@ class InitialInsertion {
 
 }  // namespace
 
-int insert_initial_points(LiftedTriangulation& sheet, const std::vector<SurfacePoint>& points,
-                          const CancelFlag& cancel) {
+int insert_initial_points(const RunContext& context, LiftedTriangulation& sheet,
+                          const std::vector<SurfacePoint>& points) {
   if (points.empty() || sheet.mesh().triangle_count() == 0) return 0;
-  return InitialInsertion(sheet, cancel).run(points);
+  return InitialInsertion(context, sheet).run(points);
 }
 
 }  // namespace advlayers

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "triangulate/lifted_triangulation.h"
 
 namespace advlayers {
 
 // Inserts points of the sheet's face, each where it lies, if there is room for it. Returns how many
 // were. Their order matters no more than where several crowd each other. Throws Cancelled.
-int insert_initial_points(LiftedTriangulation& sheet, const std::vector<SurfacePoint>& points,
-                          const CancelFlag& cancel);
+int insert_initial_points(const RunContext& context, LiftedTriangulation& sheet,
+                          const std::vector<SurfacePoint>& points);
 
 }  // namespace advlayers

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/cancel.h"
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 #include "triangulate/triangle_score.h"

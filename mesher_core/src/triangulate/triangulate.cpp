@@ -48,8 +48,8 @@ bool is_bent(const Model& model, const Discretization& boundary, EdgeId edge) {
 // The boundary of one face as a triangulation without interior points.
 class BoundaryTriangulation {
  public:
-  BoundaryTriangulation(const FaceSheet& sheet, const CancelFlag& cancel)
-      : sheet_(sheet), delaunay_(sheet.points, cancel), overlapping_(sheet.segments.size(), 0) {}
+  BoundaryTriangulation(const RunContext& context, const FaceSheet& sheet)
+      : sheet_(sheet), delaunay_(context, sheet.points), overlapping_(sheet.segments.size(), 0) {}
 
   PlanarTriangulation run() {
     for (std::size_t i = 0; i < sheet_.segments.size(); ++i) constrain(static_cast<int>(i));
@@ -136,9 +136,8 @@ class BoundaryTriangulation {
 
 }  // namespace
 
-Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
-                          const Discretization& boundary, const Settings& settings,
-                          const CancelFlag& cancel) {
+Triangulation triangulate(const RunContext& context, PatchSurface& surface, Evaluator& evaluator,
+                          const Discretization& boundary, const Settings& settings) {
   const std::vector<EdgeId> inner = inner_edges(evaluator, surface.faces(), feature_rule(settings));
   std::vector<LiftedTriangulation> sheets;
   const InitialNodes* initial = settings.initial_nodes.get();
@@ -146,18 +145,18 @@ Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
   Triangulation result;
   for (const FaceId face : surface.faces()) {
     FaceSheet sheet = lay_out_face(evaluator, boundary, face, inner);
-    PlanarTriangulation planar = BoundaryTriangulation(sheet, cancel).run();
+    PlanarTriangulation planar = BoundaryTriangulation(context, sheet).run();
     sheets.emplace_back(std::move(sheet), std::move(planar), evaluator,
                         TargetSize(evaluator, settings));
     result.initial_nodes +=
-        fill_sheet(sheets.back(), initial == nullptr ? none : initial->on(face), cancel);
+        fill_sheet(context, sheets.back(), initial == nullptr ? none : initial->on(face));
   }
-  GluedMesh glued = glue_sheets(sheets, boundary, cancel);
+  GluedMesh glued = glue_sheets(context, sheets, boundary);
   sheets.clear();
-  improve_surface(glued, surface, result.initial_nodes > 0 ? Places::kKept : Places::kEvened,
-                  cancel);
+  improve_surface(context, glued, surface,
+                  result.initial_nodes > 0 ? Places::kKept : Places::kEvened);
   result.mesh = std::move(glued.mesh);
-  Deviations deviations = check_deviation(result.mesh, surface, cancel);
+  Deviations deviations = check_deviation(context, result.mesh, surface);
   result.diagnostics = std::move(deviations.diagnostics);
   for (const EdgeId edge : deviations.edges_of_inverted) {
     if (is_bent(evaluator.model(), boundary, edge)) result.coarse_edges.push_back(edge);

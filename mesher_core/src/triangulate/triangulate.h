@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "base/cancel.h"
 #include "base/diagnostic.h"
+#include "base/run_context.h"
 #include "boundary/discretization.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
@@ -44,8 +44,7 @@ class BoundaryTooCoarse : public GeometryError {
 // is room; what is too coarse is refined, and what is poor moved, as anywhere.
 // Throws BoundaryTooCoarse naming face and edges, and GeometryError naming the face where no valid
 // triangulation is found for another reason.
-Triangulation triangulate(PatchSurface& surface, Evaluator& evaluator,
-                          const Discretization& boundary, const Settings& settings,
-                          const CancelFlag& cancel);
+Triangulation triangulate(const RunContext& context, PatchSurface& surface, Evaluator& evaluator,
+                          const Discretization& boundary, const Settings& settings);
 
 }  // namespace advlayers

@@ -46,7 +46,7 @@ Settings settings_of(double size, double curvature_angle = 20.0) {
 
 Discretization cut(const Model& model, const Settings& settings) {
   Evaluator evaluator(model);
-  return discretize(evaluator, settings);
+  return discretize(RunContext(), evaluator, settings);
 }
 
 TopoDS_Face bezier_sheet(double height) {
@@ -94,7 +94,7 @@ TEST(Discretization, SegmentsKeepToTheSizeAndTheCurvatureAngle) {
     for (const double size : {0.3, 2.0, 50.0}) {
       for (const double degrees : {10.0, 25.0}) {
         Evaluator evaluator(model);
-        const Discretization d = discretize(evaluator, settings_of(size, degrees));
+        const Discretization d = discretize(RunContext(), evaluator, settings_of(size, degrees));
         for (std::size_t e = 0; e < model.edges().size(); ++e) {
           const std::vector<double>& t = d.edges[e].params;
           for (std::size_t k = 1; k < t.size(); ++k) {
@@ -120,7 +120,7 @@ TEST(Discretization, NodesLieOnTheExactCurvesAndAtTheVertices) {
   for (const TopoDS_Shape& shape : shapes()) {
     const Model model = model_of(shape);
     Evaluator evaluator(model);
-    const Discretization d = discretize(evaluator, settings_of(0.7));
+    const Discretization d = discretize(RunContext(), evaluator, settings_of(0.7));
     std::vector<int> met(d.nodes.size(), 0);
     for (std::size_t e = 0; e < model.edges().size(); ++e) {
       const Edge& edge = model.edges()[e];
@@ -153,7 +153,7 @@ TEST(Discretization, NodesLieOnTheExactCurvesAndAtTheVertices) {
 TEST(Discretization, EvenEdgesAreCutEvenly) {
   const Model box = model_of(BRepPrimAPI_MakeBox(4, 5, 6).Shape());
   Evaluator on_box(box);
-  const Discretization d = discretize(on_box, settings_of(1.1));
+  const Discretization d = discretize(RunContext(), on_box, settings_of(1.1));
   for (std::size_t e = 0; e < box.edges().size(); ++e) {
     const double length = box.edges()[e].length;
     const auto segments = static_cast<int>(d.edges[e].nodes.size()) - 1;
@@ -207,7 +207,7 @@ TEST(Discretization, SegmentsGrowGentlyFromShortEdges) {
   const Model model =
       model_of(polygon({{0, 0, 0}, {10, 0, 0}, {10, 6 - tiny, 0}, {10 - tiny, 6, 0}, {0, 6, 0}}));
   Evaluator evaluator(model);
-  const Discretization d = discretize(evaluator, settings_of(1.0));
+  const Discretization d = discretize(RunContext(), evaluator, settings_of(1.0));
   // Lengths of the segments around the loop.
   std::vector<double> lengths;
   for (const CoEdge& c : model.faces()[0].loops[0]) {
@@ -367,7 +367,7 @@ TEST(Discretization, AStraightEdgeOfATwistedFaceFollowsTheTwist) {
   const Handle(Geom_Surface) twisted = new Geom_BezierSurface(poles);
   const Model model = model_of(BRepBuilderAPI_MakeFace(twisted, 1e-7).Shape());
   Evaluator evaluator(model);
-  const Discretization d = discretize(evaluator, settings_of(100.0));
+  const Discretization d = discretize(RunContext(), evaluator, settings_of(100.0));
   for (const CoEdge& c : model.faces()[0].loops[0]) {
     const std::vector<double>& t = d.edges[c.edge.index()].params;
     for (std::size_t k = 1; k < t.size(); ++k) {

@@ -35,7 +35,7 @@ class Strip : public testing::Test {
   }
   Discretization cut(const Settings& settings, const std::vector<MatchEnd>& match_ends = {}) {
     Evaluator evaluator(model);
-    return discretize(evaluator, settings, match_ends, {sides});
+    return discretize(RunContext(), evaluator, settings, match_ends, {sides});
   }
   EdgeId edge(std::size_t side) const { return sides.sides[side].front().edge; }
 
@@ -107,7 +107,7 @@ TEST_F(Slanted, LayersAlongASideStand) {
   match.spacing.layers = 4;
   match.max_height = 0.7;
   Evaluator evaluator(model);
-  const Discretization alone = discretize(evaluator, settings, {match});
+  const Discretization alone = discretize(RunContext(), evaluator, settings, {match});
   EXPECT_TRUE(same_cuts(alone, cut(settings, {match})));
 }
 

@@ -95,7 +95,7 @@ std::string refusal(const std::string& text) {
 TEST(BrepText, WhatOpenCascadeWritesIsWhole) {
   const TopoDS_Compound all = everything();
   EXPECT_EQ(refusal(brep_text(all)), "");
-  EXPECT_GT(read_brep(brep_text(all)).faces().size(), 15u);
+  EXPECT_GT(read_brep(RunContext(), brep_text(all)).faces().size(), 15u);
   BRepMesh_IncrementalMesh(all, 0.5);
   for (const TopTools_FormatVersion version :
        {TopTools_FormatVersion_VERSION_1, TopTools_FormatVersion_VERSION_2,
@@ -112,8 +112,8 @@ TEST(BrepText, LinesMayEndAsOnWindowsAndTheHeaderMayHaveLinesBeforeIt) {
   std::string text = "DBRep_DrawableShape\n" + brep_text(BRepPrimAPI_MakeTorus(5, 1).Shape());
   std::string windows;
   for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  EXPECT_EQ(read_brep(text).faces().size(), 1u);
-  EXPECT_EQ(read_brep(windows).faces().size(), 1u);
+  EXPECT_EQ(read_brep(RunContext(), text).faces().size(), 1u);
+  EXPECT_EQ(read_brep(RunContext(), windows).faces().size(), 1u);
 }
 
 TEST(BrepText, NoCutOffTextPasses) {
@@ -136,7 +136,7 @@ TEST(BrepText, DamageIsToldWithItsLineAndNeverCrashesTheReader) {
     for (int i = 0; i < 3; ++i)
       damaged[random() % text.size()] = letters[random() % letters.size()];
     try {
-      read_brep(damaged);
+      read_brep(RunContext(), damaged);
     } catch (const InvalidInput& error) {
       ++refused;
       EXPECT_NE(std::string(error.what()).find("the text is no BREP shape"), std::string::npos);

@@ -253,9 +253,10 @@ TEST(Model, FaceWithoutWireIsADefectNotAnError) {
 }
 
 TEST(Model, RefusesWhatIsNoShape) {
-  EXPECT_THROW(read_brep(""), InvalidInput);
-  EXPECT_THROW(read_brep("garbage"), InvalidInput);
-  EXPECT_THROW(read_brep("CASCADE Topology V1, (c) Matra-Datavision\n"), InvalidInput);
+  EXPECT_THROW(read_brep(RunContext(), ""), InvalidInput);
+  EXPECT_THROW(read_brep(RunContext(), "garbage"), InvalidInput);
+  EXPECT_THROW(read_brep(RunContext(), "CASCADE Topology V1, (c) Matra-Datavision\n"),
+               InvalidInput);
   TopExp_Explorer edge(box(), TopAbs_EDGE);
   EXPECT_THROW(model_of(edge.Current()), GeometryError);
 }

@@ -74,7 +74,7 @@ std::string text_of(const std::string& path) {
 
 std::string refusal(const std::string& path) {
   try {
-    read_file(path);
+    read_file(RunContext(), path);
   } catch (const InvalidInput& error) {
     return error.what();
   }
@@ -91,10 +91,10 @@ void expect_box(const Model& model) {
 
 TEST_F(ReadFile, LengthsComeOutInMillimetres) {
   for (const char* unit : {"MM", "INCH", "M"}) {
-    expect_box(read_file(write_step(box(), "box.step", unit)));
+    expect_box(read_file(RunContext(), write_step(box(), "box.step", unit)));
   }
   for (const char* unit : {"MM", "IN", "M"}) {
-    expect_box(read_file(write_iges(box(), "box.iges", unit)));
+    expect_box(read_file(RunContext(), write_iges(box(), "box.iges", unit)));
   }
 }
 
@@ -103,19 +103,20 @@ TEST_F(ReadFile, AUnitSetByOthersChangesNothing) {
   const std::string iges = write_iges(box(), "box.iges", "IN");
   for (const char* unit : {"M", "INCH", "MM"}) {
     Interface_Static::SetCVal("xstep.cascade.unit", unit);
-    expect_box(read_file(step));
+    expect_box(read_file(RunContext(), step));
     Interface_Static::SetCVal("xstep.cascade.unit", unit);
-    expect_box(read_file(iges));
+    expect_box(read_file(RunContext(), iges));
   }
 }
 
 TEST_F(ReadFile, EndingsCountInAnyCase) {
   for (const char* name : {"a.step", "a.STEP", "a.stp", "a.StP"}) {
-    expect_box(read_file(write_step(box(), name, "MM")));
+    expect_box(read_file(RunContext(), write_step(box(), name, "MM")));
   }
-  for (const char* name : {"a.iges", "a.IGS"}) expect_box(read_file(write_iges(box(), name, "MM")));
+  for (const char* name : {"a.iges", "a.IGS"})
+    expect_box(read_file(RunContext(), write_iges(box(), name, "MM")));
   for (const char* name : {"a.brep", "a.BRP"}) {
-    expect_box(read_file(write_text(test::brep_text(box()), name)));
+    expect_box(read_file(RunContext(), write_text(test::brep_text(box()), name)));
   }
 }
 
@@ -168,7 +169,8 @@ TEST_F(ReadFile, ThreadsMayReadAtOnce) {
   std::vector<std::thread> threads;
   std::vector<double> diagonals(8, 0.0);
   for (std::size_t i = 0; i < diagonals.size(); ++i) {
-    threads.emplace_back([&, i] { diagonals[i] = read_file(i % 2 ? step : iges).diagonal(); });
+    threads.emplace_back(
+        [&, i] { diagonals[i] = read_file(RunContext(), i % 2 ? step : iges).diagonal(); });
   }
   for (std::thread& thread : threads) thread.join();
   for (const double diagonal : diagonals) EXPECT_NEAR(diagonal, 25.4 * std::sqrt(14.0), 1e-6);
@@ -182,12 +184,12 @@ TEST(ModelFiles, AreReadWholeAndCutSoundly) {
     std::string ending = entry.path().extension().string();
     if (ending != ".step" && ending != ".stp" && ending != ".iges" && ending != ".brep") continue;
     const std::string name = entry.path().filename().string();
-    const Model model = read_file(entry.path().string());
+    const Model model = read_file(RunContext(), entry.path().string());
     Evaluator evaluator(model);
     Settings settings;
     settings.size = 0.05 * model.diagonal();
     settings.first_height = 0.1 * settings.size;
-    const Discretization cut = discretize(evaluator, settings);
+    const Discretization cut = discretize(RunContext(), evaluator, settings);
     for (std::size_t f = 0; f < model.faces().size(); ++f) {
       const Face& face = model.faces()[f];
       EXPECT_EQ(face.defect.english(), "") << name << " Face" << f + 1;

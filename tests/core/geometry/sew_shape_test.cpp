@@ -58,7 +58,7 @@ class LooseFaces : public testing::TestWithParam<double> {};
 
 TEST_P(LooseFaces, AreClosedUnderTheNamesOfTheGivenShape) {
   const std::string text = brep_text(loose_faces(GetParam()));
-  const Model loose = read_brep(text), model = read_brep(text, 0.05);
+  const Model loose = read_brep(RunContext(), text), model = read_brep(RunContext(), text, 0.05);
   EXPECT_FALSE(loose.closed());
   EXPECT_GT(loose.free_edges(), 0);
   EXPECT_TRUE(model.closed());
@@ -84,7 +84,7 @@ TEST_P(LooseFaces, AreClosedUnderTheNamesOfTheGivenShape) {
 }
 
 TEST_P(LooseFaces, AreMeshedWatertight) {
-  const Model model = read_brep(brep_text(loose_faces(GetParam())), 0.05);
+  const Model model = read_brep(RunContext(), brep_text(loose_faces(GetParam())), 0.05);
   const MeshResult mesh = mesh_of(model, settings_of(1.0));
   expect_watertight(mesh);
   EXPECT_EQ(mesh.figures.inverted, 0);
@@ -99,13 +99,13 @@ TEST_P(LooseFaces, AreMeshedWatertight) {
 INSTANTIATE_TEST_SUITE_P(Gaps, LooseFaces, testing::Values(0.0, 1e-3, 2e-2));
 
 TEST(Sewing, LeavesWhatIsFartherApart) {
-  const Model model = read_brep(brep_text(loose_faces(0.4)), 0.05);
+  const Model model = read_brep(RunContext(), brep_text(loose_faces(0.4)), 0.05);
   EXPECT_FALSE(model.closed());
 }
 
 TEST(Sewing, LeavesASoundSolidAsItIs) {
   const std::string text = brep_text(BRepPrimAPI_MakeCylinder(3, 7).Shape());
-  const Model given = read_brep(text), model = read_brep(text, 0.01);
+  const Model given = read_brep(RunContext(), text), model = read_brep(RunContext(), text, 0.01);
   EXPECT_EQ(model.joined_edges(), 0);
   ASSERT_EQ(model.edges().size(), given.edges().size());
   for (std::size_t e = 0; e < given.edges().size(); ++e) {
@@ -116,6 +116,7 @@ TEST(Sewing, LeavesASoundSolidAsItIs) {
 // Two short edges lie along a long one, which is cut in three for them.
 TEST(Sewing, ALongEdgeIsAllItsPieces) {
   const Model model = read_brep(
+      RunContext(),
       brep_text(
           compound_of({rectangle(0, 0, 10, 5), rectangle(0, 5.001, 4, 9), rectangle(4, 5, 8, 9)})),
       0.01);
@@ -155,6 +156,7 @@ TEST(Sewing, JoinsThreeFacesAtOneEdge) {
   const gp_Pln upright(gp_Pnt(0, 5, 0), gp_Dir(0, 1, 0));
   const TopoDS_Shape third = BRepBuilderAPI_MakeFace(upright, 0, 10, 0, 4).Face();
   const Model model = read_brep(
+      RunContext(),
       brep_text(compound_of({rectangle(0, 0, 10, 5), rectangle(0, 5.001, 10, 9), third})), 0.01);
   std::size_t most = 0;
   for (const Edge& edge : model.edges()) most = std::max(most, edge.faces.size());

@@ -17,6 +17,8 @@ inline std::string brep_text(const TopoDS_Shape& shape) {
   return text.str();
 }
 
-inline Model model_of(const TopoDS_Shape& shape) { return read_brep(brep_text(shape)); }
+inline Model model_of(const TopoDS_Shape& shape) {
+  return read_brep(RunContext(), brep_text(shape));
+}
 
 }  // namespace advlayers::test

@@ -146,9 +146,8 @@ TEST(Cancel, BeforeALayer) {
   LayerRun run(plate_with_holes());
   run.grow(2);
   const ElementCount before = elements_of(run.mesh);
-  run.cancel.request();
-  LayerReport report;
-  EXPECT_THROW(run.layers().advance(report, run.cancel), Cancelled);
+  run.context.cancel();
+  EXPECT_THROW(run.layers().advance(), Cancelled);
   EXPECT_EQ(find_connectivity_fault(run.mesh), "");
   EXPECT_EQ(find_inverted_element(run.mesh), "");
   EXPECT_TRUE(elements_of(run.mesh) == before);
@@ -161,10 +160,9 @@ TEST(Cancel, WithinALayerAtAnyStep) {
     const std::vector<BorderEdge> border = border_of(run.mesh);
     int step = 0;
     run.layers().set_step_hook([&](Step, const SurfaceMesh&) {
-      if (step++ == at) run.cancel.request();
+      if (step++ == at) run.context.cancel();
     });
-    LayerReport report;
-    EXPECT_THROW(run.layers().advance(report, run.cancel), Cancelled) << "after step " << at;
+    EXPECT_THROW(run.layers().advance(), Cancelled) << "after step " << at;
     EXPECT_EQ(find_connectivity_fault(run.mesh), "");
     EXPECT_EQ(find_inverted_element(run.mesh), "");
     EXPECT_EQ(border_of(run.mesh), border);

@@ -28,8 +28,8 @@ class LayerRun {
     settings.size = sizes.size;
     settings.first_height = sizes.first_height;
     settings.growth = sizes.growth;
-    const Discretization boundary = discretize(evaluator, settings);
-    mesh = triangulate(surface, evaluator, boundary, settings, cancel).mesh;
+    const Discretization boundary = discretize(context, evaluator, settings);
+    mesh = triangulate(context, surface, evaluator, boundary, settings).mesh;
     for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
       if (mesh.alive(HalfedgeH(i)) && mesh.is_border(HalfedgeH(i))) {
         walls.edges[mesh.curve(HalfedgeH(i))] = {EdgeCondition::kWall, sizes.first_height,
@@ -41,15 +41,15 @@ class LayerRun {
 
   // The walls may be changed until this is first called.
   PatchLayers& layers() {
-    if (!layers_) layers_ = std::make_unique<PatchLayers>(PatchId(0), mesh, surface, walls);
+    if (!layers_)
+      layers_ = std::make_unique<PatchLayers>(context, PatchId(0), mesh, surface, walls);
     return *layers_;
   }
 
   bool advance() {
-    LayerReport report;
-    if (!layers().advance(report, cancel)) return false;
-    reports.push_back(report);
-    return true;
+    const std::optional<LayerReport> report = layers().advance();
+    if (report) reports.push_back(*report);
+    return report.has_value();
   }
 
   // Until no front is left, or `most` layers more are made.
@@ -68,7 +68,7 @@ class LayerRun {
   Evaluator evaluator;
   PatchSurface surface;
   Settings settings;
-  CancelFlag cancel;
+  RunContext context;
   SurfaceMesh mesh;
   WallPlan walls;
   std::vector<LayerReport> reports;

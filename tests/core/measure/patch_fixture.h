@@ -19,15 +19,15 @@ struct TriangulatedFace {
       : model(model_of(shape)), evaluator(model), surface(evaluator, {face}) {
     settings.size = size;
     settings.first_height = size / 10;
-    boundary = discretize(evaluator, settings);
-    mesh = triangulate(surface, evaluator, boundary, settings, cancel).mesh;
+    boundary = discretize(context, evaluator, settings);
+    mesh = triangulate(context, surface, evaluator, boundary, settings).mesh;
   }
 
   Model model;
   Evaluator evaluator;
   PatchSurface surface;
   Settings settings;
-  CancelFlag cancel;
+  RunContext context;
   Discretization boundary;
   SurfaceMesh mesh;
 };

@@ -21,7 +21,7 @@ bool was_split(const SurfaceMesh& mesh, HalfedgeH h, std::size_t vertices_before
 TEST(SplitInside, KeepsTheMeshSoundBesideAnyElements) {
   TriangulatedFace face(BRepPrimAPI_MakeCylinder(2, 5).Shape(), 0.6);
   const int euler = euler_number(face.mesh);
-  recombine(face.mesh, face.surface, face.cancel);
+  recombine(face.context, face.mesh, face.surface);
   int beside_quads = 0;
   const std::size_t count = face.mesh.halfedge_capacity();
   const std::size_t vertices = face.mesh.vertex_capacity();

@@ -77,7 +77,7 @@ TEST_P(Blade, KeepsTheWayAroundItsLeadingEdgeClear) {
 // The seam's two sides have different normals at its ends, and neither is a fold of the surface.
 TEST_P(Blade, IsCutNoFinerAtItsTrailingEdgeThanItIsCurved) {
   Evaluator evaluator(model);
-  const Discretization cut = discretize(evaluator, settings);
+  const Discretization cut = discretize(RunContext(), evaluator, settings);
   double shortest = kSpan;
   for (const EdgeNodes& edge : cut.edges) {
     for (std::size_t k = 1; k < edge.nodes.size(); ++k) {

@@ -70,7 +70,8 @@ int nodes_within(const MeshResult& mesh, const Vec3& p, double radius) {
 
 std::string refusal(const Model& model, const Settings& settings) {
   try {
-    Mesher(model, settings);
+    RunContext context;
+    Mesher(context, model, settings);
   } catch (const InvalidInput& error) {
     return error.what();
   }
@@ -155,11 +156,11 @@ TEST_F(InitialMeshOfPlate, NodesAreWhereTheTriangulationStarts) {
     shaken.push_back(p);
   }
   settings.initial_nodes =
-      std::make_shared<InitialNodes>(model, initial, std::vector<FaceId>{FaceId(0)}, CancelFlag());
+      std::make_shared<InitialNodes>(RunContext(), model, initial, std::vector<FaceId>{FaceId(0)});
   Evaluator evaluator(model);
   PatchSurface surface(evaluator, {FaceId(0)});
-  const Discretization cut = discretize(evaluator, settings);
-  const Triangulation made = triangulate(surface, evaluator, cut, settings, CancelFlag());
+  const Discretization cut = discretize(RunContext(), evaluator, settings);
+  const Triangulation made = triangulate(RunContext(), surface, evaluator, cut, settings);
   int kept = 0;
   for (std::size_t i = 0; i < made.mesh.vertex_capacity(); ++i) {
     if (!made.mesh.alive(VertexH(i))) continue;

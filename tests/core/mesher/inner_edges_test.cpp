@@ -268,7 +268,7 @@ TEST(InnerEdges, FacetsOfOnePlaneLeaveNoTrace) {
       builder.Add(facets, BRepBuilderAPI_MakeFace(outline.Wire()).Face());
     }
   }
-  const Model model = read_brep(brep_text(facets), 1e-6);
+  const Model model = read_brep(RunContext(), brep_text(facets), 1e-6);
   ASSERT_EQ(model.faces().size(), 12u);
   EXPECT_TRUE(model.triangular());
   const Model box = model_of(BRepPrimAPI_MakeBox(10, 8, 6).Shape());

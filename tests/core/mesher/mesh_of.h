@@ -20,7 +20,8 @@ inline Settings settings_of(double size) {
 }
 
 inline MeshResult mesh_of(const Model& model, const Settings& settings) {
-  Mesher mesher(model, settings);
+  RunContext context;
+  Mesher mesher(context, model, settings);
   while (mesher.next()) {
   }
   return mesher.result();

@@ -37,7 +37,8 @@ TEST(Mesher, IsTheSameForAnyNumberOfThreads) {
 
 TEST(Mesher, ReportsComeInPatchOrderWithinALayer) {
   const Model model = model_of(BRepPrimAPI_MakeBox(4, 5, 6).Shape());
-  Mesher mesher(model, settings_of(0.5));
+  RunContext context;
+  Mesher mesher(context, model, settings_of(0.5));
   int layer = 0, patch = -1;
   while (const auto report = mesher.next()) {
     if (report->layer != layer) {
@@ -77,14 +78,16 @@ TEST(Mesher, LeavesOutABadFaceAndNamesIt) {
 
 TEST(Mesher, RefusesAWrongSettingAtOnce) {
   const Model model = model_of(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
-  EXPECT_THROW(Mesher(model, settings_of(-1.0)), InvalidInput);
+  RunContext context;
+  EXPECT_THROW(Mesher(context, model, settings_of(-1.0)), InvalidInput);
 }
 
 TEST(Mesher, StopsForGoodOnceCancelled) {
   const Model model = model_of(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
-  Mesher mesher(model, settings_of(0.1));
+  RunContext context;
+  Mesher mesher(context, model, settings_of(0.1));
   ASSERT_TRUE(mesher.next().has_value());
-  mesher.cancel();
+  context.cancel();
   EXPECT_THROW(mesher.next(), Cancelled);
   EXPECT_THROW(mesher.result(), Cancelled);
   EXPECT_GT(mesher.snapshot().nodes.size(), 0u);
@@ -92,7 +95,8 @@ TEST(Mesher, StopsForGoodOnceCancelled) {
 
 TEST(Mesher, GivesItsResultOnce) {
   const Model model = model_of(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
-  Mesher mesher(model, settings_of(0.3));
+  RunContext context;
+  Mesher mesher(context, model, settings_of(0.3));
   EXPECT_GT(mesher.result().quads.size(), 0u);
   EXPECT_THROW(mesher.result(), InvalidInput);
   EXPECT_THROW(mesher.snapshot(), InvalidInput);

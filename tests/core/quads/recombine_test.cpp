@@ -36,7 +36,7 @@ TEST_P(CoreOf, ImprovementKeepsTheMeshSoundAndItsFrozenEdges) {
   TriangulatedFace face(GetParam().shape, GetParam().size);
   const auto frozen = frozen_edges(face.mesh);
   const double before = angle_shares(face.mesh).min_angle;
-  improve_core(face.mesh, face.surface, face.cancel);
+  improve_core(face.context, face.mesh, face.surface);
   expect_sound(face, GetParam().euler);
   EXPECT_EQ(frozen_edges(face.mesh), frozen);
   EXPECT_GE(angle_shares(face.mesh).min_angle, std::min(before, 30.0));
@@ -45,8 +45,8 @@ TEST_P(CoreOf, ImprovementKeepsTheMeshSoundAndItsFrozenEdges) {
 TEST_P(CoreOf, RecombinationGivesNearlyAllQuadsWithGoodAngles) {
   TriangulatedFace face(GetParam().shape, GetParam().size);
   const auto frozen = frozen_edges(face.mesh);
-  improve_core(face.mesh, face.surface, face.cancel);
-  recombine(face.mesh, face.surface, face.cancel);
+  improve_core(face.context, face.mesh, face.surface);
+  recombine(face.context, face.mesh, face.surface);
   expect_sound(face, GetParam().euler);
   EXPECT_EQ(frozen_edges(face.mesh), frozen);
   const AngleShares shares = angle_shares(face.mesh);
@@ -60,8 +60,8 @@ TEST_P(CoreOf, RecombinationIsTheSameEveryTime) {
   std::array<std::vector<double>, 2> places;
   for (auto& values : places) {
     TriangulatedFace face(GetParam().shape, GetParam().size);
-    improve_core(face.mesh, face.surface, face.cancel);
-    recombine(face.mesh, face.surface, face.cancel);
+    improve_core(face.context, face.mesh, face.surface);
+    recombine(face.context, face.mesh, face.surface);
     for (std::size_t i = 0; i < face.mesh.vertex_capacity(); ++i) {
       for (const double x : face.mesh.position(VertexH(i))) values.push_back(x);
     }
@@ -74,9 +74,9 @@ INSTANTIATE_TEST_SUITE_P(Faces, CoreOf, testing::ValuesIn(cases()),
 
 TEST(Recombine, AsksToStop) {
   TriangulatedFace face(BRepPrimAPI_MakeBox(10, 8, 6).Shape(), 1.0);
-  face.cancel.request();
-  EXPECT_THROW(improve_core(face.mesh, face.surface, face.cancel), Cancelled);
-  EXPECT_THROW(recombine(face.mesh, face.surface, face.cancel), Cancelled);
+  face.context.cancel();
+  EXPECT_THROW(improve_core(face.context, face.mesh, face.surface), Cancelled);
+  EXPECT_THROW(recombine(face.context, face.mesh, face.surface), Cancelled);
 }
 
 TEST(Recombine, KeepsLayerFacesApart) {
@@ -85,7 +85,7 @@ TEST(Recombine, KeepsLayerFacesApart) {
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) mesh.data(FaceH(i)).layer = 3;
   EXPECT_TRUE(free_vertices(mesh).empty());
   return_to_core(mesh);
-  recombine(mesh, face.surface, face.cancel);
+  recombine(face.context, mesh, face.surface);
   return_to_core(mesh);
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     const FaceH f(i);
@@ -122,7 +122,7 @@ SurfaceMesh strip_between_triangles(int squares) {
 TEST(TriangleWalk, JoinsTwoTrianglesAcrossQuads) {
   for (const int squares : {1, 2, 5}) {
     SurfaceMesh mesh = strip_between_triangles(squares);
-    EXPECT_EQ(join_triangles(mesh, CancelFlag()), 1);
+    EXPECT_EQ(join_triangles(RunContext(), mesh), 1);
     EXPECT_EQ(find_connectivity_fault(mesh), "");
     EXPECT_EQ(find_inverted_element(mesh), "");
     EXPECT_EQ(mesh.face_count(), squares + 1);
@@ -135,7 +135,7 @@ TEST(TriangleWalk, StaysWithinFrozenEdges) {
   const HalfedgeH wall = mesh.find_halfedge(VertexH(4), VertexH(5));
   ASSERT_TRUE(wall.valid());
   mesh.set_frozen(wall, true);
-  EXPECT_EQ(join_triangles(mesh, CancelFlag()), 0);
+  EXPECT_EQ(join_triangles(RunContext(), mesh), 0);
   EXPECT_EQ(mesh.face_count(), 5);
 }
 
@@ -168,7 +168,7 @@ TEST(StarSmoothing, BringsDisplacedVerticesBack) {
       }
     }
     mesh.build(faces);
-    smooth_stars(mesh, surface, free_vertices(mesh), QuadTarget::kSquare, 50, CancelFlag());
+    smooth_stars(RunContext(), mesh, surface, free_vertices(mesh), QuadTarget::kSquare, 50);
     for (const int k : {5, 6, 9, 10}) {
       EXPECT_LT((mesh.position(VertexH(k)) - Vec3(k % 4, k / 4, 0.0)).norm(), 0.03);
     }

@@ -79,7 +79,7 @@ struct Strip {
 TEST(TrianglePairs, GoWithTheQuadsOfTheLastLayerThatStandInTheWay) {
   Strip strip(8);
   ASSERT_EQ(strip.triangles(), 2);
-  EXPECT_EQ(close_triangle_pairs(strip.mesh, CancelFlag()), 1);
+  EXPECT_EQ(close_triangle_pairs(RunContext(), strip.mesh), 1);
   EXPECT_EQ(strip.triangles(), 0);
   EXPECT_VALID(strip.mesh);
   EXPECT_UPRIGHT(strip.mesh);
@@ -87,7 +87,7 @@ TEST(TrianglePairs, GoWithTheQuadsOfTheLastLayerThatStandInTheWay) {
 
 TEST(TrianglePairs, LeaveTheFirstLayersAlone) {
   Strip strip(1);
-  EXPECT_EQ(close_triangle_pairs(strip.mesh, CancelFlag()), 0);
+  EXPECT_EQ(close_triangle_pairs(RunContext(), strip.mesh), 0);
   EXPECT_EQ(strip.triangles(), 2);
 }
 

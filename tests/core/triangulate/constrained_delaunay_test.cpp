@@ -42,8 +42,8 @@ Carved triangulate_loops(const std::vector<Polygon>& loops, const Polygon& loose
   Polygon points;
   for (const Polygon& loop : loops) points.insert(points.end(), loop.begin(), loop.end());
   points.insert(points.end(), loose.begin(), loose.end());
-  const CancelFlag cancel;
-  ConstrainedDelaunay cdt(points, cancel);
+  const RunContext context;
+  ConstrainedDelaunay cdt(context, points);
   int first = 0, mark = 0;
   for (const Polygon& loop : loops) {
     const int n = static_cast<int>(loop.size());
@@ -159,30 +159,30 @@ TEST(ConstrainedDelaunay, TakesGridsAndCollinearPoints) {
 }
 
 TEST(ConstrainedDelaunay, NamesTheSegmentThatIsCrossed) {
-  const CancelFlag cancel;
-  ConstrainedDelaunay cdt({{0, 0}, {2, 2}, {0, 2}, {2, 0}}, cancel);
+  const RunContext context;
+  ConstrainedDelaunay cdt(context, {{0, 0}, {2, 2}, {0, 2}, {2, 0}});
   EXPECT_TRUE(cdt.constrain(0, 1, 5).none());
   EXPECT_EQ(cdt.constrain(2, 3, 6).crossed, 5);
 }
 
 TEST(ConstrainedDelaunay, DividesASegmentAtAPointOnIt) {
-  const CancelFlag cancel;
-  ConstrainedDelaunay cdt({{0, 0}, {3, 3}, {1, 1}, {2, 0}, {0, 2}}, cancel);
+  const RunContext context;
+  ConstrainedDelaunay cdt(context, {{0, 0}, {3, 3}, {1, 1}, {2, 0}, {0, 2}});
   EXPECT_EQ(cdt.constrain(0, 1, 0).through, 2);
   EXPECT_GE(cdt.mesh().find_side(0, 2).t, 0);
   EXPECT_GE(cdt.mesh().find_side(2, 1).t, 0);
 }
 
 TEST(ConstrainedDelaunay, SharesTheVertexOfEqualPoints) {
-  const CancelFlag cancel;
-  const ConstrainedDelaunay cdt({{0, 0}, {1, 0}, {0, 1}, {1, 0}}, cancel);
+  const RunContext context;
+  const ConstrainedDelaunay cdt(context, {{0, 0}, {1, 0}, {0, 1}, {1, 0}});
   EXPECT_EQ(cdt.vertex(1), cdt.vertex(3));
   EXPECT_NE(cdt.vertex(0), cdt.vertex(1));
 }
 
 TEST(ConstrainedDelaunay, KeepsBothSidesOfASlit) {
-  const CancelFlag cancel;
-  ConstrainedDelaunay cdt({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}, {3, 2}}, cancel);
+  const RunContext context;
+  ConstrainedDelaunay cdt(context, {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}, {3, 2}});
   for (int i = 0; i < 4; ++i) cdt.constrain(i, (i + 1) % 4, i);
   EXPECT_TRUE(cdt.constrain(4, 5, 4).none());
   EXPECT_EQ(cdt.constrain(5, 4, 5).overlaps, 4);
@@ -195,14 +195,14 @@ TEST(ConstrainedDelaunay, KeepsBothSidesOfASlit) {
 }
 
 TEST(ConstrainedDelaunay, RefusesPointsThatAreNotFinite) {
-  const CancelFlag cancel;
-  EXPECT_THROW(ConstrainedDelaunay({{0, 0}, {std::nan(""), 0}}, cancel), InvalidInput);
+  const RunContext context;
+  EXPECT_THROW(ConstrainedDelaunay(context, {{0, 0}, {std::nan(""), 0}}), InvalidInput);
 }
 
 TEST(ConstrainedDelaunay, StopsWhenAsked) {
-  CancelFlag cancel;
-  cancel.request();
-  EXPECT_THROW(ConstrainedDelaunay(circle(5000, 1), cancel), Cancelled);
+  RunContext context;
+  context.cancel();
+  EXPECT_THROW(ConstrainedDelaunay(context, circle(5000, 1)), Cancelled);
 }
 
 }  // namespace

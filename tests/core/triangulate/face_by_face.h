@@ -20,7 +20,7 @@ struct FaceByFace {
   Triangulation mesh(FaceId face) { return mesh(std::vector<FaceId>{face}); }
   Triangulation mesh(const std::vector<FaceId>& faces) {
     PatchSurface surface(evaluator, faces, settings.feature_angle);
-    return triangulate(surface, evaluator, cut, settings, CancelFlag());
+    return triangulate(RunContext(), surface, evaluator, cut, settings);
   }
 
   // All faces as one patch.
@@ -28,7 +28,7 @@ struct FaceByFace {
     std::vector<FaceId> faces;
     for (std::size_t i = 0; i < model.faces().size(); ++i) faces.push_back(FaceId(i));
     PatchSurface surface(evaluator, faces, settings.feature_angle);
-    const Triangulation made = triangulate(surface, evaluator, cut, settings, CancelFlag());
+    const Triangulation made = triangulate(RunContext(), surface, evaluator, cut, settings);
     EXPECT_TRUE(made.diagnostics.empty());
     expect_sound(made, surface, evaluator, cut, settings, euler, expected);
   }
@@ -39,7 +39,7 @@ struct FaceByFace {
     for (std::size_t i = 0; i < euler.size(); ++i) {
       SCOPED_TRACE(face_name(FaceId(i)));
       PatchSurface surface(evaluator, {FaceId(i)});
-      const Triangulation made = triangulate(surface, evaluator, cut, settings, CancelFlag());
+      const Triangulation made = triangulate(RunContext(), surface, evaluator, cut, settings);
       EXPECT_TRUE(made.diagnostics.empty());
       expect_sound(made, surface, evaluator, cut, settings, euler[i], expected);
     }

@@ -20,7 +20,7 @@ Triangulation triangulate_halving(PatchSurface& surface, Evaluator& evaluator,
                                   const Settings& settings, Discretization& cut) {
   for (int round = 0;; ++round) {
     try {
-      return triangulate(surface, evaluator, cut, settings, CancelFlag());
+      return triangulate(RunContext(), surface, evaluator, cut, settings);
     } catch (const BoundaryTooCoarse& error) {
       if (round == kHalvings) throw;
       halve_edges(evaluator, error.edges(), cut);
@@ -35,12 +35,12 @@ TEST(TriangulateModels, EveryFaceBecomesAManifold) {
     const std::string ending = entry.path().extension().string();
     if (ending != ".step" && ending != ".stp" && ending != ".iges" && ending != ".brep") continue;
     SCOPED_TRACE(entry.path().filename().string());
-    const Model model = read_file(entry.path().string());
+    const Model model = read_file(RunContext(), entry.path().string());
     Evaluator evaluator(model);
     Settings settings;
     settings.size = 0.02 * model.diagonal();
     settings.first_height = 0.1 * settings.size;
-    Discretization cut = discretize(evaluator, settings);
+    Discretization cut = discretize(RunContext(), evaluator, settings);
     for (std::size_t f = 0; f < model.faces().size(); ++f) {
       if (!model.faces()[f].defect.empty()) continue;
       SCOPED_TRACE(face_name(FaceId(f)));

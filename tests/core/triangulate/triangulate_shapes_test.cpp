@@ -89,7 +89,7 @@ TEST(TriangulateShapes, TrimmedSpherePatch) {
   FaceByFace faces(BRepPrimAPI_MakeSphere(10, -0.4, 0.7, 1.1).Shape(), 1);
   PatchSurface surface(faces.evaluator, {FaceId(0)});
   const Triangulation made =
-      triangulate(surface, faces.evaluator, faces.cut, faces.settings, CancelFlag());
+      triangulate(RunContext(), surface, faces.evaluator, faces.cut, faces.settings);
   EXPECT_TRUE(made.diagnostics.empty());
   expect_sound(made, surface, faces.evaluator, faces.cut, faces.settings, 1);
 }

@@ -100,9 +100,9 @@ TEST(Triangulate, GivesTheSameMeshAgain) {
 TEST(Triangulate, StopsWhenAsked) {
   FaceByFace sphere(BRepPrimAPI_MakeSphere(10).Shape(), 1);
   PatchSurface surface(sphere.evaluator, {FaceId(0)});
-  CancelFlag cancel;
-  cancel.request();
-  EXPECT_THROW(triangulate(surface, sphere.evaluator, sphere.cut, sphere.settings, cancel),
+  RunContext context;
+  context.cancel();
+  EXPECT_THROW(triangulate(context, surface, sphere.evaluator, sphere.cut, sphere.settings),
                Cancelled);
 }
 

@@ -20,7 +20,9 @@ def test_export_writes_what_a_job_writes(mesh, tmp_path):
     from advlayers import export, mesh_groups, meshing
 
     task = layer_mesh.prepare(mesh)
-    fresh = meshing.Run(lambda: task.make_mesher(core)).finish(lambda reports: None)
+    context = core.RunContext()
+    fresh = meshing.Run(context, lambda: task.make_mesher(core, context)).finish(
+        lambda reports: None)
     groups = mesh_groups.mesh_groups(fresh, {"inlet": ["Face1"]})
     for ending in (".vtu", ".unv"):
         mine, jobs = str(tmp_path / f"mine{ending}"), str(tmp_path / f"job{ending}")
