@@ -15,7 +15,19 @@ class AdvancingLayersWorkbench(FreeCADGui.Workbench):
         import FreeCAD
         import FreeCADGui
         import advlayers
+        from advlayers import window
 
+        def views():
+            from advlayers_gui import view_provider
+
+            return view_provider
+
+        def update_beside(document_object, task):
+            from advlayers_gui import automatic_update
+
+            automatic_update.ask(document_object, task)
+
+        window.register(views, update_beside)
         root = os.path.dirname(os.path.dirname(os.path.dirname(advlayers.__file__)))
         resources = os.path.join(root, "Resources")
         self.__class__.Icon = os.path.join(resources, "icons", "AdvancingLayers.svg")

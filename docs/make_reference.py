@@ -1,19 +1,22 @@
-"""Writes docs/settings.md from the tables that the program itself follows.
+"""Writes docs/settings.md, and the settings in the core's stub, from the rows that the program
+itself follows.
 
-Run by `./dev docs`; the tests compare the page with what this would write.
+Run by `./dev docs`; the tests compare both with what this would write.
 """
 import os
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-sys.path.insert(0, os.path.join(ROOT, "App"))
+for part in ("App", os.path.join("mesher_core", "python")):
+    sys.path.insert(0, os.path.join(ROOT, part))
 
 PAGE = os.path.join(ROOT, "docs", "settings.md")
+STUB = os.path.join(ROOT, "mesher_core", "python", "advlayers_core", "_core.pyi")
 
 _HEAD = """# Settings
 
-*Written by `./dev docs` from `App/advlayers/settings_table.py` and `App/advlayers/export.py`:
-change those, not this page.*
+*Written by `./dev docs` from the rows in `mesher_core/src/sizing/schema.cpp` and
+`App/advlayers/settings_table.py`, and from `App/advlayers/export.py`: change those, not this page.*
 
 Lengths are in mm and angles in degrees. Faces and edges have the names that FreeCAD shows: `Face3`,
 `Edge7`. In a job file an unknown key is an error. In Python the mesh settings are the keywords of
@@ -32,6 +35,7 @@ _VALUES = {
     "sizes": "list of sizes",
     "refinements": "list of points",
     "point": "list of three numbers",
+    "y_plus": "object, see below",
     "groups": "object: name to list of names",
     "flag": "true or false",
     "text": "text",
@@ -63,6 +67,11 @@ def page():
         "as fine as curvature_angle asks. A fixed number of segments and clustering hold whatever "
         "else asks for.", "",
         "## One point of refinement", "", _table(table.REFINEMENT_SETTINGS, properties=False), "",
+        "## A block y_plus", "", _table(table.Y_PLUS_SETTINGS, properties=False), "",
+        "The height comes from the friction on a smooth plate or in a smooth pipe; formulas and "
+        "sources stand in [method.md](method.md#a-first-height-from-y). The report says it, with "
+        "the thickness of the boundary layer and the layers that reach through it. In Python: "
+        "`advlayers.y_plus(speed=50, length=1000)`.", "",
         "## Output formats", "", _formats(), "",
         "Element groups: `FaceN` and `LayerN` or `Core`; node groups: `EdgeN`; and those of the "
         "setting `groups`. Nodes and elements are numbered from 1, quads before triangles.", "",
@@ -75,7 +84,7 @@ def _table(settings, properties):
     rows = [head, ["---"] * len(head)]
     for entry in settings:
         row = [f"`{entry.key}`", _value(entry), _default(entry), _range(entry)]
-        row += [f"`{entry.property}`" if entry.property else f"{entry.child} objects"] * properties
+        row += [_where(entry)] * properties
         rows.append(row + [entry.doc])
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
@@ -102,6 +111,56 @@ def _range(entry):
     return range_said(entry).english
 
 
+def _where(entry):
+    """What has the setting in a document."""
+    from advlayers.settings_table import property_name, setting
+
+    if entry.child:
+        return f"{entry.child} objects"
+    return f"`{property_name(setting(entry.becomes) if entry.becomes else entry)}`"
+
+
+_HINTS = {
+    "number": "float", "count": "int", "flag": "bool", "edges": "Iterable[str]",
+    "faces": 'Union[Literal["all"], Iterable[str]]', "faces_only": "Iterable[str]",
+    "layers": 'Union[int, Literal["isotropic"]]', "choice": "str",
+    "walls": 'Union[Literal["all"], Iterable[Mapping[str, Any]]]',
+    "sizes": "Iterable[Mapping[str, Any]]", "refinements": "Iterable[Mapping[str, Any]]",
+    "mesh": "Optional[Tuple[NDArray[np.float64], NDArray[np.int32]]]",
+}
+_GIVEN = {"number": "float", "count": "int", "flag": "bool", "edges": "Tuple[str, ...]",
+          "faces": "Union[str, Tuple[str, ...]]", "layers": "Union[int, str]", "choice": "str"}
+_BEGIN, _END = "class Settings:\n", "\ndef schema("
+
+
+def stub():
+    """The stub of the core with its class Settings as the rows have it."""
+    import advlayers_core
+
+    with open(STUB, encoding="utf-8") as file:
+        text = file.read()
+    before, rest = text.split(_BEGIN)
+    _old, after = rest.split(_END)
+    return before + _BEGIN + _settings_class(advlayers_core.schema()["mesh"]) + _END + after
+
+
+def _settings_class(rows):
+    lines = ['    """What is asked for, by the keys of docs/settings.md.', "",
+             "    Raises InvalidInput naming the setting and its value. What depends on the model",
+             "    is checked by Mesher.",
+             '    """', "",
+             "    def __init__(", "        self, *,"]
+    for row in rows:
+        default = "" if row["required"] else " = ..."
+        lines.append(f"        {row['key']}: {_HINTS[row['kind']]}{default},")
+    lines.append("    ) -> None: ...")
+    for row in rows:
+        if row["kind"] in _GIVEN:
+            lines += ["    @property",
+                      f"    def {row['key']}(self) -> {_GIVEN[row['kind']]}: ..."]
+    return "\n".join(lines) + "\n"
+
+
 def _endings():
     from advlayers.initial_mesh import ENDINGS
 
@@ -119,5 +178,6 @@ def _formats():
 
 
 if __name__ == "__main__":
-    with open(PAGE, "w", encoding="utf-8") as file:
-        file.write(page())
+    for path, text in ((PAGE, page()), (STUB, stub())):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)

@@ -17,7 +17,8 @@ import xml.etree.ElementTree as ElementTree
 from xml.sax.saxutils import escape
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-sys.path.insert(0, os.path.join(ROOT, "App"))
+for part in ("App", os.path.join("mesher_core", "python")):
+    sys.path.insert(0, os.path.join(ROOT, part))
 FOLDER = os.path.join(ROOT, "Resources", "translations")
 # A Sentence or an error, its variable's name where it has one, and literals one after the other.
 _CORE_SENTENCE = re.compile(
@@ -109,15 +110,18 @@ def _of_tables():
     from advlayers import settings_table as table
 
     for entry in table.MESH_SETTINGS:
-        if entry.property:
+        if entry.group:
             yield from ((PROPERTY, text) for text in (
-                entry.doc, _apart(entry.property), entry.group))
+                entry.doc, _apart(table.property_name(entry)), entry.group))
         yield from ((WINDOW, choice) for choice in entry.choices)
     radius = table.setting("radius", table.REFINEMENT_SETTINGS)
     for entry in (*table.WALL_SETTINGS, *table.SIZE_SETTINGS, radius):
         if entry.key not in ("edges", "faces"):
             yield from ((PROPERTY, text) for text in (
                 entry.doc, table.optional_doc(entry), _apart(table.property_name(entry))))
+    for entry in table.Y_PLUS_SETTINGS:
+        yield PROPERTY, entry.doc
+        yield from ((WINDOW, choice) for choice in entry.choices)
     for key in table.keys():
         yield WINDOW, table.label(key)
 

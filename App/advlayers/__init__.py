@@ -93,6 +93,20 @@ def remove(control) -> None:
     control.Document.removeObject(control.Name)
 
 
+def y_plus(**flow):
+    """What a wall distance y+ asks for: `advlayers.y_plus(speed=50, length=1000).first_height`.
+
+    The values are those of a block y_plus on the reference page; the answer has first_height and
+    boundary_layer [mm], reynolds, and layers(growth) that reach through the boundary layer.
+    Raises InputError.
+    """
+    from advlayers.settings_check import check_all
+    from advlayers.settings_table import Y_PLUS_SETTINGS
+    from advlayers.flow_height import estimate
+
+    return estimate(check_all(flow, Y_PLUS_SETTINGS))
+
+
 @_action
 def update(mesh_object) -> None:
     """Meshes a layer mesh with its settings as they stand. Raises InputError, or what the core

@@ -8,6 +8,7 @@ from typing import Any, Optional
 
 from advlayers import faceted
 from advlayers.errors import InputError
+from advlayers.freecad_versions import global_placement
 
 # Read by the core alone; FreeCAD's own reader is used where FreeCAD is the host, so that faces
 # and edges carry the very numbers that it shows.
@@ -64,8 +65,9 @@ def global_shape(document_object):
     import Part
 
     shape = Part.getShape(document_object).copy()
-    if hasattr(document_object, "getGlobalPlacement"):
-        shape.Placement = document_object.getGlobalPlacement()
+    placement = global_placement(document_object)
+    if placement is not None:
+        shape.Placement = placement
     return shape
 
 

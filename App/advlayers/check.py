@@ -61,12 +61,14 @@ def of_mesh(data: MeshData) -> List[Finding]:
     if data.report.get("inverted"):
         found.append(Finding(
             "error", tr("{} elements are turned over.").format(data.report["inverted"])))
-    for number, wall in enumerate(data.report.get("walls", ())):
+    walls = data.report.get("walls", ())
+    for number, wall in enumerate(walls):
         found += [Finding("warning", sentence.translated, wall=number)
                   for sentence in wall_shortfalls(wall)]
     found += [Finding(entry["severity"], of_diagnostic(entry).translated, _place(entry["point"]))
               for entry in data.report.get("diagnostics", ())
-              if entry["code"] not in WALL_SHORTFALL_CODES]
+              if entry["code"] not in WALL_SHORTFALL_CODES
+              or not any("shortfalls" in wall for wall in walls)]  # of an earlier version
     return found + _worst_elements(data)
 
 

@@ -12,18 +12,18 @@ from typing import Any, Dict, Iterable, Iterator, List, Mapping, Tuple
 from advlayers import cad_input
 from advlayers.errors import InputError
 from advlayers.face_edges import FaceEdges
+from advlayers.freecad_versions import Stateless
 from advlayers.language import tr
 from advlayers.picked_names import link_value, names_on
 from advlayers.properties import (
     HIDDEN, add_setting, from_property, plain_values, to_property)
-from advlayers.proxy import Stateless
 from advlayers.references import Picker, Problem, remembered
 from advlayers.references import problems as reference_problems
 from advlayers.sentence import Sentence
 from advlayers.settings_check import check_all
 from advlayers.settings_table import (
     REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, optional_doc, property_name,
-    setting, unset_value)
+    setting, unset_value, value_settings)
 from advlayers.window import attach_view
 
 CONDITIONS = ("Wall", "Match", "Off", "Boundary", "Smooth")
@@ -129,11 +129,6 @@ KINDS = (Wall, Size, Group)
 
 def is_control(document_object) -> bool:
     return isinstance(getattr(document_object, "Proxy", None), KINDS)
-
-
-def value_settings(table: Iterable[Setting]) -> List[Setting]:
-    """Those of a table that are values, not references."""
-    return [entry for entry in table if entry.key not in ("edges", "faces")]
 
 
 def children(mesh_object) -> List[Any]:

@@ -6,6 +6,7 @@ from typing import Any, Dict, List, Tuple
 from advlayers import analysis, cad_input, controls, layer_mesh
 from advlayers.errors import InputError
 from advlayers.face_edges import FaceEdges
+from advlayers.freecad_versions import gmsh_source
 from advlayers.picked_names import names_on
 
 
@@ -22,8 +23,7 @@ def take_over(gmsh_mesh):
     """
     if not is_gmsh_mesh(gmsh_mesh):
         raise InputError("", "{} is no mesh made with Gmsh", gmsh_mesh.Label)
-    # FreeCAD 0.20 calls it Part, later versions Shape.
-    source = getattr(gmsh_mesh, "Part", None) or getattr(gmsh_mesh, "Shape", None)
+    source = gmsh_source(gmsh_mesh)
     if source is None:
         raise InputError("", "{} has no object to mesh", gmsh_mesh.Label)
     shape = cad_input.global_shape(source)

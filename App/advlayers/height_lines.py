@@ -7,10 +7,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Iterator, List, Mapping, Optional
+from typing import Any, Callable, Iterator, List, Mapping, Optional, Tuple
 
 import numpy as np
 
+from advlayers.core_access import load_core
+from advlayers.settings_table import WALL_SETTINGS, value_settings
+
+# What a wall takes from the settings of the whole mesh.
+_COMMON = ("size", "first_height", "growth", "layers")
 _MOST_SAMPLES = 33
 # A sample for every so many degrees that a curve turns.
 _TURN = 7.5
@@ -41,27 +46,19 @@ class WallLines:
         return np.zeros(0) if self.last is None else np.linalg.norm(self.last - self.foot, axis=1)
 
 
-def thickness(first_height: float, growth: float, layers: int) -> float:
-    """Of all layers together [mm]."""
-    if growth == 1.0:
-        return first_height * layers
-    return first_height * (growth ** layers - 1.0) / (growth - 1.0)
-
-
-def layers_until(first_height: float, growth: float, height: float) -> int:
-    """Layers whose heights stay below `height`; with growth 1 there is no such number, 0."""
-    if growth <= 1.0 or first_height >= height:
-        return 0
-    return int(math.floor(math.log(height / first_height) / math.log(growth))) + 1
-
-
 def wall_lines(shape, settings: Mapping[str, Any]) -> Iterator[WallLines]:
     """The lines of every wall that checked settings ask for, with their lengths filled in; none
-    for walls whose heights follow from the mesh (aspect_ratio, turning_angle)."""
+    for walls whose heights follow from the mesh (aspect_ratio, turning_angle).
+
+    Raises the core's InvalidInput for a wall that contradicts itself."""
+    core = load_core()
     meshed = None if settings["faces"] == "all" else set(settings["faces"])
+    common = core.Settings(**{key: settings[key] for key in _COMMON})
     for wall in _walls(shape, settings):
-        spacing = _spacing(wall, settings)
-        if spacing is None:
+        spacing = core.resolve_wall(common, {
+            entry.key: wall[entry.key] for entry in value_settings(WALL_SETTINGS)
+            if wall.get(entry.key) is not None})
+        if spacing["first_height"] is None:
             continue
         for number, face in enumerate(shape.Faces, 1):
             name = f"Face{number}"
@@ -71,30 +68,6 @@ def wall_lines(shape, settings: Mapping[str, Any]) -> Iterator[WallLines]:
                 edge_name = wall["names"].get(_key(edge))
                 if edge_name and not edge.Degenerated and not edge.isSeam(face):
                     yield _lines(edge_name, name, edge, face, spacing)
-
-
-@dataclass(frozen=True)
-class _Spacing:
-    start: float  # first height at the first vertex of an edge [mm]
-    end: float  # and at its last one
-    thickness: Optional[float]  # over first height; None where the number of layers is open
-
-
-def _spacing(wall: Mapping[str, Any], settings: Mapping[str, Any]) -> Optional[_Spacing]:
-    if wall.get("aspect_ratio") or wall.get("turning_angle"):
-        return None
-    growth = wall.get("growth") or settings["growth"]
-    layers = wall["layers"] if wall.get("layers") is not None else settings["layers"]
-    total = wall.get("thickness")
-    height = wall.get("first_height")
-    if height is None:
-        height = settings["first_height"]
-        if total and isinstance(layers, int) and layers > 0:
-            height = total / thickness(1.0, growth, layers)
-    if layers == "isotropic":
-        layers = layers_until(height, growth, settings["size"])
-    ratio = total / height if total else (thickness(1.0, growth, layers) if layers else None)
-    return _Spacing(height, wall.get("end_height") or height, ratio)
 
 
 def _walls(shape, settings: Mapping[str, Any]) -> List[Mapping[str, Any]]:
@@ -112,23 +85,41 @@ def _key(edge) -> int:
     return edge.hashCode()
 
 
-def _lines(edge_name: str, face_name: str, edge, face, spacing: _Spacing) -> WallLines:
+def _lines(edge_name: str, face_name: str, edge, face, spacing: Mapping[str, Any]) -> WallLines:
     feet, inward, heights = [], [], []
     side = 1.0 if edge.Orientation == "Forward" else -1.0
     first, last = edge.ParameterRange
+    start = spacing["first_height"]
+    end = start if spacing["end_height"] is None else spacing["end_height"]
+    place_of = _places_in(face, edge)
     for parameter in _samples(edge):
         foot, tangent = edge.valueAt(parameter), edge.tangentAt(parameter)
-        normal = face.normalAt(*face.Surface.parameter(foot))
+        normal = face.normalAt(*place_of(parameter))
         direction = normal.cross(tangent)
         if direction.Length > 0.0:
             share = (parameter - first) / (last - first)
-            heights.append(spacing.start + share * (spacing.end - spacing.start))
+            heights.append(start + share * (end - start))
             feet.append(tuple(foot + normal * (_LIFT * heights[-1])))
             inward.append(tuple(direction.normalize() * side))
     feet, inward = np.array(feet).reshape(-1, 3), np.array(inward).reshape(-1, 3)
     rise = np.array(heights)[:, None] * inward
+    total = spacing["thickness"]
     return WallLines(edge_name, face_name, feet, feet + rise,
-                     None if spacing.thickness is None else feet + spacing.thickness * rise)
+                     None if total is None else feet + total / start * rise)
+
+
+def _places_in(face, edge) -> Callable[[float], Tuple[float, float]]:
+    """The face's (u, v) by the edge's parameter: from its curve in the face, which costs nothing
+    beside a projection onto the surface; from that where there is none."""
+    found = face.curveOnSurface(edge)
+    if found is None:
+        return lambda parameter: face.Surface.parameter(edge.valueAt(parameter))
+
+    def place_of(parameter: float) -> Tuple[float, float]:
+        place = found[0].value(parameter)
+        return place.x, place.y
+
+    return place_of
 
 
 def _samples(edge):

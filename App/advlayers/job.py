@@ -7,7 +7,7 @@ import sys
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
 
-from advlayers import cad_input, export, faceted, initial_mesh
+from advlayers import cad_input, export, faceted, flow_height, initial_mesh
 from advlayers.errors import InputError
 from advlayers.settings_check import check_all
 from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS
@@ -45,6 +45,7 @@ def read_job(path: str) -> Job:
         report=values["report"] and os.path.normpath(os.path.join(folder, values["report"])),
         strict=values["strict"],
     )
+    flow_height.of_settings(job.settings)  # refuses what contradicts itself
     _check_files(job, path)
     return job
 

@@ -6,13 +6,13 @@ import os
 import time
 from typing import Any, Callable, Dict, List, Optional
 
-from advlayers import cad_input, export, initial_mesh
+from advlayers import cad_input, export, flow_height, initial_mesh
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.job import Job, in_freecad
 from advlayers.mesh_groups import mesh_groups
 from advlayers.meshing import Run, core_settings
-from advlayers.report import has_error, info, make_report, shortfalls
+from advlayers.report import has_error, info, make_report, make_strict
 from advlayers.settings_check import check_names
 
 # Called now and then with what the run does ("layers 40 %") and the core's new reports.
@@ -77,9 +77,12 @@ def _initial_mesh(job: Job) -> Optional[initial_mesh.Arrays]:
 
 def _report(job: Job, cad: cad_input.Cad, mesh, seconds: Dict[str, float]) -> Dict[str, Any]:
     notes = [info("object-chosen", cad.note)] if cad.note else []
+    flow = flow_height.of_settings(job.settings)
+    if flow is not None:
+        notes.append(info("y-plus", "y+: " + flow.said(job.settings["growth"]).english))
     report = make_report(job.input_name, mesh, notes, seconds)
     if job.strict:
-        report["diagnostics"] += shortfalls(report)
+        make_strict(report)
     return report
 
 

@@ -18,17 +18,18 @@ from advlayers import (
     mesh_history, migrations)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
+from advlayers.freecad_versions import Stateless
 from advlayers.language import tr
 from advlayers.mesh_data import MeshData
 from advlayers.mesh_properties import add_properties, clear_results, property_settings
 from advlayers.meshing import Run, core_settings, default_lengths
 from advlayers.properties import from_property, plain_values, to_property
-from advlayers.proxy import Stateless
 from advlayers.references import Picker, Problem, problems, remembered
 from advlayers.sentence import Sentence, listed
 from advlayers.settings_check import check_all, check_names
 from advlayers.settings_table import MESH_SETTINGS, property_name
-from advlayers.window import attach_view, draw_view, prepare_view, show_mesh, update_beside
+from advlayers.window import (
+    attach_view, can_update_beside, draw_view, prepare_view, show_mesh, update_beside)
 
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = "Not meshed", "Up to date", "Out of date"
 LOST_REFERENCES = "Lost references"
@@ -177,7 +178,7 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
 def _update_by_itself(document_object) -> None:
     """Within a recompute. A window is not kept waiting: it has the mesh a while later. Raises what
     update() does."""
-    if FreeCAD.GuiUp:
+    if can_update_beside():
         update_beside(document_object, prepare(document_object))
     else:
         update(document_object)
@@ -232,7 +233,7 @@ def settings_of(document_object) -> Dict[str, Any]:
 
 def raw_settings(document_object) -> Dict[str, Any]:
     """As the document has them, unchecked."""
-    settings = {entry.key: from_property(entry, getattr(document_object, entry.property))
+    settings = {entry.key: from_property(entry, getattr(document_object, property_name(entry)))
                 for entry in property_settings()}
     found = controls.contributions(document_object)
     found["refinements"] = settings["refinements"] + found["refinements"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import List
 
 from advlayers.properties import HIDDEN, READ_ONLY, add_setting, to_property
-from advlayers.settings_table import MESH_SETTINGS, Setting
+from advlayers.settings_table import MESH_SETTINGS, Setting, property_name
 
 # name, type, group, tooltip
 _OTHER_PROPERTIES = (
@@ -54,7 +54,7 @@ _UNSET = {"App::PropertyString": "", "App::PropertyInteger": 0, "App::PropertyFl
 
 def property_settings() -> List[Setting]:
     """The settings that are properties of the mesh object; the others are in its children."""
-    return [entry for entry in MESH_SETTINGS if entry.property]
+    return [entry for entry in MESH_SETTINGS if entry.group]
 
 
 def add_properties(document_object) -> None:
@@ -62,8 +62,9 @@ def add_properties(document_object) -> None:
     present = set(document_object.PropertiesList)
     for entry in property_settings():
         add_setting(document_object, entry, entry.group, entry.doc)
-        if entry.property not in present and entry.default is not None:
-            setattr(document_object, entry.property, to_property(entry, entry.default))
+        name = property_name(entry)
+        if name not in present and entry.default is not None:
+            setattr(document_object, name, to_property(entry, entry.default))
     for name, kind, group, doc in _OTHER_PROPERTIES:
         if name not in present:
             document_object.addProperty(kind, name, group, doc)

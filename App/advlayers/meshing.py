@@ -7,15 +7,17 @@ import threading
 import weakref
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
-from advlayers import collector
+from advlayers import collector, flow_height
 from advlayers.errors import Stopped
+from advlayers.settings_table import OWN_SETTINGS
+
+_OWN = {entry.key for entry in OWN_SETTINGS}  # of other stages than the core
 
 
 def core_settings(core, settings: Mapping[str, Any], diagonal: float):
-    """The core's Settings from every key of MESH_SETTINGS but those of other stages, lengths filled
-    in."""
+    """The core's Settings from every key of MESH_SETTINGS, lengths filled in."""
     values: Dict[str, Any] = {key: value for key, value in settings.items()
-                              if key not in ("groups", "sew_tolerance")}
+                              if key not in _OWN}
     values.update(default_lengths(settings, diagonal))
     for key in ("match", "off", "boundary", "smooth"):
         values[key] = list(values[key])
@@ -29,11 +31,15 @@ def core_settings(core, settings: Mapping[str, Any], diagonal: float):
 
 
 def default_lengths(settings: Mapping[str, Any], diagonal: float) -> Dict[str, float]:
-    """Size and first height [mm]; where not given, from the model's diagonal, to two digits."""
+    """Size and first height [mm]; where not given, from y+, or from the model's diagonal to two
+    digits. Raises InputError where y_plus and first_height are both given."""
     size, height = settings["size"], settings["first_height"]
     if size is None:
         size = float(f"{diagonal / 40.0:.2g}")
-    if height is None:
+    flow = flow_height.of_settings(settings)
+    if flow is not None:
+        height = flow.first_height
+    elif height is None:
         height = float(f"{size / 10.0:.2g}")
     return {"size": size, "first_height": height}
 

@@ -5,7 +5,7 @@ from typing import Any, Dict
 
 import FreeCAD
 
-from advlayers.settings_table import setting
+from advlayers.settings_table import property_name, setting
 
 PATH = "User parameter:BaseApp/Preferences/Mod/AdvancingLayers"
 # Settings that the page offers, by the type of their entry.
@@ -16,7 +16,8 @@ def settings() -> Dict[str, Any]:
     """Those of a new layer mesh that are not as the table of settings has them."""
     kept = FreeCAD.ParamGet(PATH)
     found: Dict[str, Any] = {
-        key: kept.GetFloat(setting(key).property, setting(key).default) for key in _FLOATS}
+        key: kept.GetFloat(property_name(setting(key)), setting(key).default)
+        for key in _FLOATS}
     found["layers"] = kept.GetInt("Layers", setting("layers").default)
     if kept.GetBool("Isotropic", False):
         found["layers"] = "isotropic"

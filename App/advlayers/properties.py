@@ -13,12 +13,13 @@ READ_ONLY, HIDDEN = 1, 2  # editor modes
 
 _NUMBERS = {"mm": "App::PropertyLength", "deg": "App::PropertyAngle", "": "App::PropertyFloat"}
 _TYPES = {"count": "App::PropertyInteger", "layers": "App::PropertyString",
-          "choice": "App::PropertyEnumeration", "flag": "App::PropertyBool"}
+          "choice": "App::PropertyEnumeration", "flag": "App::PropertyBool",
+          "faces": "App::PropertyStringList", "refinements": "App::PropertyStringList",
+          # Global: the mesh may stand in a part or a body that the mesh object is not in.
+          "mesh": "App::PropertyLinkGlobal"}
 
 
 def property_type(entry: Setting) -> str:
-    if entry.property_type:
-        return entry.property_type
     return _NUMBERS[entry.unit] if entry.kind == "number" else _TYPES[entry.kind]
 
 

@@ -73,16 +73,30 @@ def _words(value: str) -> str:
     return setting_words(value) or stop_words(value) or value
 
 
+def _nothing(_key: str) -> str:
+    return ""
+
+
+# What a setting is called, by its key; empty for what is no setting.
+_name_of: Callable[[str], str] = _nothing
+
+
+def tell_settings(name_of: Callable[[str], str]) -> None:
+    """The table of settings says what they are called."""
+    global _name_of
+    _name_of = name_of
+
+
 def setting_words(path: str) -> str:
     """ "First height" of "first_height", "Walls 1: Layers" of "walls[0].layers"; empty for what is
     no setting."""
     from advlayers.language import tr
-    from advlayers.settings_table import keys, label
 
     match = _KEY.fullmatch(path)
-    if match is None or match["key"] not in keys():
+    name = _name_of(match["key"]) if match else ""
+    if not name:
         return ""
-    words = tr(label(match["key"]))
+    words = tr(name)
     if match["number"]:
         words += f" {int(match['number']) + 1}"
     rest = match["rest"]

@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, Iterable, Mapping, Tuple
 
 from advlayers.errors import InputError
 from advlayers.settings_table import (
-    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Setting, range_said)
+    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Y_PLUS_SETTINGS, Setting, range_said)
 
 _NAME = re.compile(r"(Face|Edge)([1-9][0-9]*)")
 # Names that the mesh gives to groups by itself.
@@ -148,12 +148,14 @@ def _names(key: str, value: Any, kinds: Tuple[str, ...], empty: bool) -> Tuple[s
     examples = " or ".join(f'"{kind}1"' for kind in kinds)
     if not isinstance(value, (list, tuple)):
         raise InputError(key, "must be a list of names like {}, got {}", examples, _shown(value))
+    seen = set()
     for name in value:
         match = _NAME.fullmatch(name) if isinstance(name, str) else None
         if not match or match.group(1) not in kinds:
             raise InputError(key, "holds {}, which is no name like {}", _shown(name), examples)
-        if list(value).count(name) > 1:
+        if name in seen:
             raise InputError(key, "names {} twice", name)
+        seen.add(name)
     if not value and not empty:
         raise InputError(key, "must not be empty")
     return tuple(value)
@@ -198,6 +200,12 @@ def _refinements(key: str, value: Any, _entry: Setting) -> Tuple[Dict, ...]:
     return _entries(key, value, REFINEMENT_SETTINGS)
 
 
+def _y_plus(key: str, value: Any, _entry: Setting) -> Dict[str, Any]:
+    if not isinstance(value, dict):
+        raise InputError(key, "must be an object, got {}", _shown(value))
+    return check_all(value, Y_PLUS_SETTINGS, where=f"{key}.")
+
+
 def _point(key: str, value: Any, entry: Setting) -> Tuple[float, ...]:
     if not isinstance(value, (list, tuple)) or len(value) != 3:
         raise InputError(key, "must be three numbers, got {}", _shown(value))
@@ -222,5 +230,5 @@ CHECKS: Dict[str, Callable[[str, Any, Setting], Any]] = {
     "text": _text, "path": _text, "mesh": _mesh, "paths": _paths, "faces": _faces,
     "faces_only": _faces_only,
     "edges": _edges, "walls": _walls, "groups": _groups,
-    "sizes": _sizes, "refinements": _refinements, "point": _point,
+    "sizes": _sizes, "refinements": _refinements, "point": _point, "y_plus": _y_plus,
 }

@@ -9,6 +9,7 @@ from advlayers import controls
 from advlayers.errors import InputError
 from advlayers.language import tr, tr_doc
 from advlayers.picked_names import link_value, names_on
+from advlayers.settings_table import value_settings
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import ReferenceList
 from advlayers_gui.setting_fields import SettingsForm
@@ -33,7 +34,7 @@ class ControlEditor:
         self._values = QtGui.QWidget()
         values = QtGui.QFormLayout(self._values)
         values.setContentsMargins(0, 0, 0, 0)
-        self._form = SettingsForm(control, controls.value_settings(control.Proxy.TABLE), values,
+        self._form = SettingsForm(control, value_settings(control.Proxy.TABLE), values,
                                   on_change, on_refused, optional=True)
         layout.addRow(self._values)
         self._show_values()

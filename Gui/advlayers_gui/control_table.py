@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 from advlayers import controls
 from advlayers.errors import InputError
 from advlayers.language import tr
-from advlayers.settings_table import property_name
+from advlayers.settings_table import property_name, value_settings
 from advlayers_gui.control_editor import (
     ControlEditor, change_condition, condition_texts, references_of)
 from advlayers_gui.picking import PickSession
@@ -215,7 +215,7 @@ class ControlTable:
 def _values_text(control) -> str:
     """ "First height 0.1 mm, Layers 5": the values that are given, in the user's units."""
     parts = []
-    for entry in controls.value_settings(control.Proxy.TABLE):
+    for entry in value_settings(control.Proxy.TABLE):
         if entry.key in controls.values(control):
             value = getattr(control, property_name(entry))
             shown = value.UserString if hasattr(value, "UserString") else f"{value:g}" \

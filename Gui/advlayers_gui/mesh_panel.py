@@ -16,6 +16,7 @@ from advlayers.mesh_properties import property_settings
 from advlayers_gui import view_provider
 from advlayers_gui.control_table import ControlTable
 from advlayers_gui.field_scene import MARK_COLOUR, FieldScene, growing_pieces, markers
+from advlayers_gui.flow_box import FlowBox
 from advlayers_gui.mesh_task import Canvas, Outcome
 from advlayers_gui.pick_bar import PickBar
 from advlayers_gui.reference_list import ReferenceList
@@ -125,6 +126,7 @@ class MeshPanel(TaskPanel):
         for form in self._forms:
             form.release()
         self._table.release()
+        self._flow.release()
 
     # --- the form -----------------------------------------------------------------------------
 
@@ -171,11 +173,19 @@ class MeshPanel(TaskPanel):
         self._forms.append(SettingsForm(
             self._object, [entries.pop(key) for key in _FIRST], form, self._changed,
             self._run.say))
+        self._flow = FlowBox(lambda: self._object.Growth, self._use_height)
+        layout.addWidget(self._flow.widget)
         layout.addWidget(self._flag("GrowFromAll", tr("Layers from all edges")))
         layout.addWidget(self._flag("AutoUpdate", tr("Update automatically")))
         layout.addWidget(self._advanced(entries.values()))
         layout.addStretch()
         return tab
+
+    def _use_height(self, height: float) -> None:
+        self._object.FirstHeight = height
+        for form in self._forms:
+            form.load()
+        self._changed()
 
     def _flag(self, name: str, text: str):
         """A box to tick for a property that is no setting of a job."""

@@ -6,7 +6,7 @@ from typing import Any, Dict, List
 import advlayers
 from advlayers import controls
 from advlayers.mesh_properties import property_settings
-from advlayers.settings_table import property_name
+from advlayers.settings_table import property_name, value_settings
 from advlayers_gui.command import do, in_code
 
 
@@ -48,11 +48,11 @@ class Recording:
 def _properties(thing) -> Dict[str, str]:
     """What a user may set, as code has it."""
     if controls.is_control(thing):
-        names = [property_name(entry) for entry in controls.value_settings(thing.Proxy.TABLE)]
+        names = [property_name(entry) for entry in value_settings(thing.Proxy.TABLE)]
         names += [name for name in ("Condition", "Label") if hasattr(thing, name)]
         return {**{name: _code(getattr(thing, name)) for name in names},
                 "References": _references(thing)}
-    names = [entry.property for entry in property_settings()]
+    names = [property_name(entry) for entry in property_settings()]
     return {name: _code(getattr(thing, name)) for name in names + ["GrowFromAll", "AutoUpdate"]}
 
 

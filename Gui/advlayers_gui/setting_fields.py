@@ -138,7 +138,7 @@ class NumberField(RoundingField):
 
     def __init__(self, entry: Setting) -> None:
         super().__init__(entry, QtGui.QDoubleSpinBox())
-        self.widget.setDecimals(4)
+        self.widget.setDecimals(entry.decimals)
         self.widget.setSingleStep(0.05)
         self.widget.setRange(entry.low if entry.low is not None else -_HIGHEST_NUMBER,
                              entry.high if entry.high is not None else _HIGHEST_NUMBER)

@@ -10,8 +10,10 @@ from PySide import QtGui
 
 from advlayers import cad_input
 from advlayers.errors import InputError
+from advlayers.freecad_versions import as_number
 from advlayers.height_lines import wall_lines
 from advlayers.layer_mesh import settings_of
+from advlayers.sentence import of_error
 from advlayers_gui.height_preview import HeightPreview
 from advlayers_gui.recording import Recording
 from advlayers_gui.view_3d import Overlay
@@ -42,11 +44,7 @@ class TaskPanel:
     # --- what FreeCAD calls -------------------------------------------------------------------
 
     def getStandardButtons(self):
-        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
-        try:
-            return int(buttons)
-        except TypeError:  # Qt 6
-            return buttons
+        return as_number(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self) -> bool:
         document = self._object.Document
@@ -107,5 +105,8 @@ class TaskPanel:
             return error.sentence.translated
         shape = cad_input.global_shape(mesh_object.Part)
         if len(shape.Edges) <= _MOST_EDGES:
-            self.heights.show(wall_lines(shape, settings))
+            try:
+                self.heights.show(wall_lines(shape, settings))
+            except ValueError as error:  # of the core: a wall that contradicts itself
+                return of_error(error).translated
         return ""

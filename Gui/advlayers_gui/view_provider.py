@@ -11,10 +11,10 @@ from PySide import QtCore, QtGui
 
 from advlayers.controls import children, is_control, mesh_of
 from advlayers.errors import InputError
+from advlayers.freecad_versions import Stateless
 from advlayers.language import tr
 from advlayers.layer_mesh import LOST_REFERENCES, OUT_OF_DATE
 from advlayers.properties import HIDDEN
-from advlayers.proxy import Stateless
 from advlayers_gui.command import show_error
 from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView

@@ -312,10 +312,6 @@
 <context>
     <name>AdvancingLayers</name>
     <message>
-        <source>&gt; 1 and &lt;= 3</source>
-        <translation>&gt; 1 und &lt;= 3</translation>
-    </message>
-    <message>
         <source>&gt; {} mm, {} of the shape's diagonal</source>
         <translation>&gt; {} mm, {} der Diagonale der Form</translation>
     </message>
@@ -392,6 +388,10 @@
         <translation>Die Kanten werden geteilt</translation>
     </message>
     <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
         <source>Diagnostics</source>
         <translation>Meldungen</translation>
     </message>
@@ -458,6 +458,18 @@
     <message>
         <source>First height</source>
         <translation>Erste Höhe</translation>
+    </message>
+    <message>
+        <source>First height from y+</source>
+        <translation>Erste Höhe aus y+</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Strömung</translation>
+    </message>
+    <message>
+        <source>Fluid</source>
+        <translation>Fluid</translation>
     </message>
     <message>
         <source>FreeCAD document</source>
@@ -558,6 +570,10 @@
     <message>
         <source>Layers run along the selected edges</source>
         <translation>Schichten laufen an den gewählten Kanten entlang</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -764,6 +780,10 @@
         <translation>Glatt</translation>
     </message>
     <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
         <source>Stanford polygons</source>
         <translation>Stanford-Polygone</translation>
     </message>
@@ -844,6 +864,10 @@
         <translation>Automatisch aktualisieren</translation>
     </message>
     <message>
+        <source>Use this height</source>
+        <translation>Diese Höhe nehmen</translation>
+    </message>
+    <message>
         <source>VTK legacy</source>
         <translation>VTK (alt)</translation>
     </message>
@@ -854,6 +878,10 @@
     <message>
         <source>Values</source>
         <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viskosität</translation>
     </message>
     <message>
         <source>Wall</source>
@@ -872,6 +900,10 @@
         <translation>Wofür die Farben der Elemente in der 3D-Ansicht stehen</translation>
     </message>
     <message>
+        <source>Y plus</source>
+        <translation>y+</translation>
+    </message>
+    <message>
         <source>a document object is needed to mesh, got {}</source>
         <translation>Zum Vernetzen wird ein Objekt eines Dokuments gebraucht, angegeben ist {}</translation>
     </message>
@@ -882,6 +914,14 @@
     <message>
         <source>a face needs a size</source>
         <translation>eine Fläche braucht eine Elementgröße</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>air</source>
+        <translation>Luft</translation>
     </message>
     <message>
         <source>all faces</source>
@@ -902,6 +942,10 @@
     <message>
         <source>an entry needs a size, segments or cluster</source>
         <translation>ein Eintrag braucht eine Elementgröße, eine Zahl von Abschnitten oder eine Verdichtung</translation>
+    </message>
+    <message>
+        <source>and {} exclude each other</source>
+        <translation>und {} schließen einander aus</translation>
     </message>
     <message>
         <source>another front is too near</source>
@@ -960,12 +1004,8 @@
         <translation>erste Höhe {} (blau)</translation>
     </message>
     <message>
-        <source>from 1 to 1000000</source>
-        <translation>von 1 bis 1000000</translation>
-    </message>
-    <message>
-        <source>from 1e-6 to 1e6</source>
-        <translation>von 1e-6 bis 1e6</translation>
+        <source>first height {} mm (Reynolds number {}); the boundary layer is some {} mm thick: {} layers of growth {}</source>
+        <translation>erste Höhe {} mm (Reynolds-Zahl {}); die Grenzschicht ist etwa {} mm dick: {} Schichten mit Wachstum {}</translation>
     </message>
     <message>
         <source>has no surface elements: {}</source>
@@ -998,18 +1038,6 @@
     <message>
         <source>holds {}, which is no name like {}</source>
         <translation>{} ist kein Name wie {}</translation>
-    </message>
-    <message>
-        <source>in (0, 1e8]</source>
-        <translation>in (0, 1e8]</translation>
-    </message>
-    <message>
-        <source>in (0, 90] degrees</source>
-        <translation>in (0, 90] Grad</translation>
-    </message>
-    <message>
-        <source>in [0, 180) degrees</source>
-        <translation>in [0, 180) Grad</translation>
     </message>
     <message>
         <source>in layer {}</source>
@@ -1272,12 +1300,16 @@
         <translation>braucht zum Schreiben FreeCAD: Führen Sie den Auftrag mit freecadcmd aus: {}</translation>
     </message>
     <message>
+        <source>needs both density and viscosity, or none of them</source>
+        <translation>braucht Dichte und Viskosität oder keine von beiden</translation>
+    </message>
+    <message>
         <source>needs the Python package meshio (python3-meshio): {}</source>
         <translation>braucht das Python-Paket meshio (python3-meshio): {}</translation>
     </message>
     <message>
-        <source>no growth from 1 to 10 makes {} layers from {} mm {} mm thick</source>
-        <translation>kein Wachstumsfaktor von 1 bis 10 macht {} Schichten ab {} mm zusammen {} mm dick</translation>
+        <source>no growth from 1 to {} makes {} layers from {} mm {} mm thick</source>
+        <translation>kein Wachstumsfaktor von 1 bis {} macht {} Schichten ab {} mm zusammen {} mm dick</translation>
     </message>
     <message>
         <source>no tetrahedron came out, exit status {}</source>
@@ -1322,6 +1354,14 @@
     <message>
         <source>pick a face, an edge or a vertex of {}</source>
         <translation>wählen Sie eine Fläche, eine Kante oder einen Eckpunkt von {}</translation>
+    </message>
+    <message>
+        <source>pipe</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>Platte</translation>
     </message>
     <message>
         <source>point {} of a triangulation is not finite</source>
@@ -1466,6 +1506,10 @@
     <message>
         <source>warning</source>
         <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>Wasser</translation>
     </message>
     <message>
         <source>without a unit</source>
@@ -1696,24 +1740,12 @@
         <translation>{} Knoten des Ausgangsnetzes lagen bis zu {} mm neben der Form und wurden auf sie gesetzt</translation>
     </message>
     <message>
-        <source>{} on {} got first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
-        <translation>{} auf {} erhielt erste Höhen von {} bis {} mm; verlangt waren im Mittel {} mm, Abweichung bis zu {} %</translation>
-    </message>
-    <message>
-        <source>{} on {} got no layer of a height that could be measured</source>
-        <translation>{} auf {} erhielt keine Schicht, deren Höhe sich messen ließe</translation>
-    </message>
-    <message>
         <source>{} on {} got no layers</source>
         <translation>{} auf {} erhielt keine Schichten</translation>
     </message>
     <message>
         <source>{} on {} got {} complete layers of {}</source>
         <translation>{} auf {} erhielt {} vollständige Schichten von {}</translation>
-    </message>
-    <message>
-        <source>{} on {} got {} of {} layers</source>
-        <translation>{} auf {} erhielt {} von {} Schichten</translation>
     </message>
     <message>
         <source>{} refers to nothing: pick faces or edges for it</source>
@@ -1883,6 +1915,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Air at 15 °C, or water at 20 °C, both at 1 bar.</source>
+        <translation>Luft bei 15 °C oder Wasser bei 20 °C, beide bei 1 bar.</translation>
+    </message>
+    <message>
+        <source>Along a plate, a wing, a hull: the distance from its leading edge. In a pipe or a duct: its hydraulic diameter.</source>
+        <translation>Entlang einer Platte, eines Flügels, eines Rumpfes: der Abstand von der Vorderkante. In einem Rohr oder Kanal: dessen hydraulischer Durchmesser.</translation>
+    </message>
+    <message>
         <source>An existing mesh of the shape to start from. Inside the faces its nodes are where the triangulation starts; where it is finer than size, edges and core become as fine. Its layers and its order do not come over.</source>
         <translation>Ein vorhandenes Netz der Form, mit dem begonnen wird. Im Inneren der Flächen sind seine Knoten der Anfang der Triangulierung; wo es feiner ist als die Elementgröße, werden Kanten und Kern ebenso fein. Seine Schichten und seine Ordnung werden nicht übernommen.</translation>
     </message>
@@ -1927,8 +1967,20 @@
         <translation>Krümmungswinkel</translation>
     </message>
     <message>
+        <source>Density of another fluid [kg/m³].</source>
+        <translation>Dichte eines anderen Fluids [kg/m³].</translation>
+    </message>
+    <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Dimensionless height of the first layer; its middle lies at half of it.</source>
+        <translation>Dimensionslose Höhe der ersten Schicht; ihre Mitte liegt bei der Hälfte davon.</translation>
+    </message>
+    <message>
+        <source>Dynamic viscosity of another fluid [Pa s].</source>
+        <translation>Dynamische Viskosität eines anderen Fluids [Pa s].</translation>
     </message>
     <message>
         <source>Each layer is this much higher than the one before it.</source>
@@ -2143,6 +2195,10 @@
         <translation>Teil</translation>
     </message>
     <message>
+        <source>Past a plate, or developed in a pipe.</source>
+        <translation>An einer Platte entlang oder ausgebildet in einem Rohr.</translation>
+    </message>
+    <message>
         <source>Picked</source>
         <translation>Gewählt</translation>
     </message>
@@ -2217,6 +2273,10 @@
     <message>
         <source>Size List</source>
         <translation>Größen</translation>
+    </message>
+    <message>
+        <source>Speed of the flow [m/s].</source>
+        <translation>Geschwindigkeit der Strömung [m/s].</translation>
     </message>
     <message>
         <source>State</source>

@@ -312,10 +312,6 @@
 <context>
     <name>AdvancingLayers</name>
     <message>
-        <source>&gt; 1 and &lt;= 3</source>
-        <translation>&gt; 1 et &lt;= 3</translation>
-    </message>
-    <message>
         <source>&gt; {} mm, {} of the shape's diagonal</source>
         <translation>&gt; {} mm, {} de la diagonale de la forme</translation>
     </message>
@@ -392,6 +388,10 @@
         <translation>Découpage des arêtes</translation>
     </message>
     <message>
+        <source>Density</source>
+        <translation>Masse volumique</translation>
+    </message>
+    <message>
         <source>Diagnostics</source>
         <translation>Messages</translation>
     </message>
@@ -458,6 +458,18 @@
     <message>
         <source>First height</source>
         <translation>Première hauteur</translation>
+    </message>
+    <message>
+        <source>First height from y+</source>
+        <translation>Première hauteur d'après y+</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Écoulement</translation>
+    </message>
+    <message>
+        <source>Fluid</source>
+        <translation>Fluide</translation>
     </message>
     <message>
         <source>FreeCAD document</source>
@@ -558,6 +570,10 @@
     <message>
         <source>Layers run along the selected edges</source>
         <translation>Les couches courent le long des arêtes sélectionnées</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -764,6 +780,10 @@
         <translation>Lisse</translation>
     </message>
     <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
         <source>Stanford polygons</source>
         <translation>Polygones Stanford</translation>
     </message>
@@ -844,6 +864,10 @@
         <translation>Mise à jour automatique</translation>
     </message>
     <message>
+        <source>Use this height</source>
+        <translation>Prendre cette hauteur</translation>
+    </message>
+    <message>
         <source>VTK legacy</source>
         <translation>VTK (ancien)</translation>
     </message>
@@ -854,6 +878,10 @@
     <message>
         <source>Values</source>
         <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viscosité</translation>
     </message>
     <message>
         <source>Wall</source>
@@ -872,6 +900,10 @@
         <translation>Ce que signifient les couleurs des éléments dans la vue 3D</translation>
     </message>
     <message>
+        <source>Y plus</source>
+        <translation>y+</translation>
+    </message>
+    <message>
         <source>a document object is needed to mesh, got {}</source>
         <translation>il faut un objet de document à mailler, et non {}</translation>
     </message>
@@ -882,6 +914,14 @@
     <message>
         <source>a face needs a size</source>
         <translation>une face a besoin d'une taille</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>un nombre fini</translation>
+    </message>
+    <message>
+        <source>air</source>
+        <translation>air</translation>
     </message>
     <message>
         <source>all faces</source>
@@ -902,6 +942,10 @@
     <message>
         <source>an entry needs a size, segments or cluster</source>
         <translation>une entrée a besoin d'une taille, d'un nombre de segments ou d'un resserrement</translation>
+    </message>
+    <message>
+        <source>and {} exclude each other</source>
+        <translation>et {} s'excluent</translation>
     </message>
     <message>
         <source>another front is too near</source>
@@ -960,12 +1004,8 @@
         <translation>première hauteur {} (bleu)</translation>
     </message>
     <message>
-        <source>from 1 to 1000000</source>
-        <translation>de 1 à 1000000</translation>
-    </message>
-    <message>
-        <source>from 1e-6 to 1e6</source>
-        <translation>de 1e-6 à 1e6</translation>
+        <source>first height {} mm (Reynolds number {}); the boundary layer is some {} mm thick: {} layers of growth {}</source>
+        <translation>première hauteur {} mm (nombre de Reynolds {}) ; la couche limite a une épaisseur d'environ {} mm : {} couches de croissance {}</translation>
     </message>
     <message>
         <source>has no surface elements: {}</source>
@@ -998,18 +1038,6 @@
     <message>
         <source>holds {}, which is no name like {}</source>
         <translation>{} n'est pas un nom comme {}</translation>
-    </message>
-    <message>
-        <source>in (0, 1e8]</source>
-        <translation>dans ]0, 1e8]</translation>
-    </message>
-    <message>
-        <source>in (0, 90] degrees</source>
-        <translation>dans ]0, 90] degrés</translation>
-    </message>
-    <message>
-        <source>in [0, 180) degrees</source>
-        <translation>dans [0, 180[ degrés</translation>
     </message>
     <message>
         <source>in layer {}</source>
@@ -1272,12 +1300,16 @@
         <translation>a besoin de FreeCAD pour être écrit : lancez la tâche avec freecadcmd : {}</translation>
     </message>
     <message>
+        <source>needs both density and viscosity, or none of them</source>
+        <translation>demande la masse volumique et la viscosité, ou aucune des deux</translation>
+    </message>
+    <message>
         <source>needs the Python package meshio (python3-meshio): {}</source>
         <translation>a besoin du paquet Python meshio (python3-meshio) : {}</translation>
     </message>
     <message>
-        <source>no growth from 1 to 10 makes {} layers from {} mm {} mm thick</source>
-        <translation>aucune croissance de 1 à 10 ne donne à {} couches partant de {} mm une épaisseur de {} mm</translation>
+        <source>no growth from 1 to {} makes {} layers from {} mm {} mm thick</source>
+        <translation>aucune croissance de 1 à {} ne donne à {} couches partant de {} mm une épaisseur de {} mm</translation>
     </message>
     <message>
         <source>no tetrahedron came out, exit status {}</source>
@@ -1322,6 +1354,14 @@
     <message>
         <source>pick a face, an edge or a vertex of {}</source>
         <translation>choisissez une face, une arête ou un sommet de {}</translation>
+    </message>
+    <message>
+        <source>pipe</source>
+        <translation>conduite</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>plaque</translation>
     </message>
     <message>
         <source>point {} of a triangulation is not finite</source>
@@ -1466,6 +1506,10 @@
     <message>
         <source>warning</source>
         <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>eau</translation>
     </message>
     <message>
         <source>without a unit</source>
@@ -1696,24 +1740,12 @@
         <translation>{} nœuds du maillage initial étaient hors de la forme, jusqu'à {} mm, et y ont été ramenés</translation>
     </message>
     <message>
-        <source>{} on {} got first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
-        <translation>{} sur {} a reçu des premières hauteurs de {} à {} mm ; demandé : {} mm en moyenne, écart jusqu'à {} %</translation>
-    </message>
-    <message>
-        <source>{} on {} got no layer of a height that could be measured</source>
-        <translation>{} sur {} n'a reçu aucune couche dont la hauteur soit mesurable</translation>
-    </message>
-    <message>
         <source>{} on {} got no layers</source>
         <translation>{} sur {} n'a reçu aucune couche</translation>
     </message>
     <message>
         <source>{} on {} got {} complete layers of {}</source>
         <translation>{} sur {} a reçu {} couches complètes sur {}</translation>
-    </message>
-    <message>
-        <source>{} on {} got {} of {} layers</source>
-        <translation>{} sur {} a reçu {} couches sur {}</translation>
     </message>
     <message>
         <source>{} refers to nothing: pick faces or edges for it</source>
@@ -1883,6 +1915,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Air at 15 °C, or water at 20 °C, both at 1 bar.</source>
+        <translation>Air à 15 °C ou eau à 20 °C, les deux à 1 bar.</translation>
+    </message>
+    <message>
+        <source>Along a plate, a wing, a hull: the distance from its leading edge. In a pipe or a duct: its hydraulic diameter.</source>
+        <translation>Le long d'une plaque, d'une aile, d'une coque : la distance au bord d'attaque. Dans une conduite ou un canal : son diamètre hydraulique.</translation>
+    </message>
+    <message>
         <source>An existing mesh of the shape to start from. Inside the faces its nodes are where the triangulation starts; where it is finer than size, edges and core become as fine. Its layers and its order do not come over.</source>
         <translation>Un maillage existant de la forme, d'où partir. À l'intérieur des faces, ses nœuds sont le départ de la triangulation ; là où il est plus fin que la taille, les arêtes et le cœur le deviennent aussi. Ses couches et son ordre ne sont pas repris.</translation>
     </message>
@@ -1927,8 +1967,20 @@
         <translation>Angle de courbure</translation>
     </message>
     <message>
+        <source>Density of another fluid [kg/m³].</source>
+        <translation>Masse volumique d'un autre fluide [kg/m³].</translation>
+    </message>
+    <message>
         <source>Details</source>
         <translation>Détails</translation>
+    </message>
+    <message>
+        <source>Dimensionless height of the first layer; its middle lies at half of it.</source>
+        <translation>Hauteur sans dimension de la première couche ; son milieu est à la moitié.</translation>
+    </message>
+    <message>
+        <source>Dynamic viscosity of another fluid [Pa s].</source>
+        <translation>Viscosité dynamique d'un autre fluide [Pa s].</translation>
     </message>
     <message>
         <source>Each layer is this much higher than the one before it.</source>
@@ -2143,6 +2195,10 @@
         <translation>Pièce</translation>
     </message>
     <message>
+        <source>Past a plate, or developed in a pipe.</source>
+        <translation>Le long d'une plaque, ou établi dans une conduite.</translation>
+    </message>
+    <message>
         <source>Picked</source>
         <translation>Choisi</translation>
     </message>
@@ -2217,6 +2273,10 @@
     <message>
         <source>Size List</source>
         <translation>Tailles</translation>
+    </message>
+    <message>
+        <source>Speed of the flow [m/s].</source>
+        <translation>Vitesse de l'écoulement [m/s].</translation>
     </message>
     <message>
         <source>State</source>

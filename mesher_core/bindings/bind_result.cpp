@@ -8,6 +8,7 @@
 #include "bindings.h"
 #include "geometry/model.h"
 #include "mesh_view.h"
+#include "mesher/wall_shortfalls.h"
 #include "sentence_values.h"
 
 namespace py = pybind11;
@@ -108,6 +109,19 @@ py::dict first_stops(const WallReport& wall) {
   return by_reason;
 }
 
+py::list shortfalls(const WallReport& wall) {
+  py::list list;
+  for (const Shortfall& shortfall : shortfalls_of(wall)) {
+    py::dict entry;
+    entry["code"] = shortfall.code;
+    entry["text"] = shortfall.sentence.english();
+    entry["form"] = shortfall.sentence.form();
+    entry["values"] = values_of(shortfall.sentence);
+    list.append(entry);
+  }
+  return list;
+}
+
 py::list walls(const py::object& self) {
   py::list list;
   for (const WallReport& wall : mesh_of(self).walls) {
@@ -129,6 +143,7 @@ py::list walls(const py::object& self) {
     entry["layers"] = wall.layers;
     entry["stops"] = wall.stops;
     entry["first_stops"] = first_stops(wall);
+    entry["shortfalls"] = shortfalls(wall);
     list.append(entry);
   }
   return list;

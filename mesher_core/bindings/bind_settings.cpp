@@ -1,14 +1,16 @@
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "bindings.h"
-#include "geometry/model.h"
 #include "initial_mesh_arrays.h"
 #include "setting_lists.h"
-#include "setting_values.h"
+#include "setting_rows.h"
+#include "sizing/resolve_wall.h"
+#include "sizing/schema.h"
 #include "sizing/settings.h"
 
 namespace py = pybind11;
@@ -16,9 +18,11 @@ namespace py = pybind11;
 namespace advlayers::python {
 namespace {
 
+constexpr const char* kIsotropic = "isotropic";
+
 void set_layers(const py::handle& value, Settings& settings) {
   if (py::isinstance<py::str>(value)) {
-    if (value.cast<std::string>() != "isotropic") {
+    if (value.cast<std::string>() != kIsotropic) {
       throw InvalidInput("layers must be a number or \"isotropic\", got " + shown(value));
     }
     settings.end = EndOfGrowth::kIsotropic;
@@ -28,78 +32,92 @@ void set_layers(const py::handle& value, Settings& settings) {
   settings.end = settings.layers == 0 ? EndOfGrowth::kFrontsClose : EndOfGrowth::kLayers;
 }
 
+py::object layers_of(const Settings& settings) {
+  if (settings.end == EndOfGrowth::kIsotropic) return py::str(kIsotropic);
+  return py::int_(settings.layers);
+}
+
 void set_core(const py::handle& value, Settings& settings) {
   const auto name = py::isinstance<py::str>(value) ? value.cast<std::string>() : "";
-  if (name != "quads" && name != "triangles") {
-    throw InvalidInput("core must be \"quads\" or \"triangles\", got " + shown(value));
+  for (const CoreElements core : kCoreElements) {
+    if (name != core_name(core)) continue;
+    settings.core = core;
+    return;
   }
-  settings.core = name == "quads" ? CoreElements::kQuads : CoreElements::kTriangles;
+  throw InvalidInput("core must be \"quads\" or \"triangles\", got " + shown(value));
+}
+
+bool is_all(const py::handle& value) {
+  return py::isinstance<py::str>(value) && value.cast<std::string>() == "all";
 }
 
 void set_faces(const py::handle& value, Settings& settings) {
-  if (py::isinstance<py::str>(value) && value.cast<std::string>() == "all") return;
+  if (is_all(value)) return;
   settings.faces = names<FaceId>(value, "faces", "Face");
   if (settings.faces.empty()) throw InvalidInput("faces must not be empty");
 }
 
-// One row per keyword: the table that the constructor follows.
-struct Keyword {
-  const char* name;
-  void (*set)(const py::handle& value, Settings& settings);
-};
-
-const Keyword kKeywords[] = {
-    {"size", [](const py::handle& v, Settings& s) { s.size = number(v, "size"); }},
-    {"first_height",
-     [](const py::handle& v, Settings& s) { s.first_height = number(v, "first_height"); }},
-    {"growth", [](const py::handle& v, Settings& s) { s.growth = number(v, "growth"); }},
-    {"layers", set_layers},
-    {"feature_angle",
-     [](const py::handle& v, Settings& s) { s.feature_angle = number(v, "feature_angle"); }},
-    {"curvature_angle",
-     [](const py::handle& v, Settings& s) { s.curvature_angle = number(v, "curvature_angle"); }},
-    {"size_growth",
-     [](const py::handle& v, Settings& s) { s.size_growth = number(v, "size_growth"); }},
-    {"sizes", set_sizes},
-    {"refinements", set_refinements},
-    {"core", set_core},
-    {"order", [](const py::handle& v, Settings& s) { s.order = count(v, "order"); }},
-    {"walls", set_walls},
-    {"match",
-     [](const py::handle& v, Settings& s) { s.match_edges = names<EdgeId>(v, "match", "Edge"); }},
-    {"off",
-     [](const py::handle& v, Settings& s) { s.off_edges = names<EdgeId>(v, "off", "Edge"); }},
-    {"boundary", [](const py::handle& v,
-                    Settings& s) { s.boundary_edges = names<EdgeId>(v, "boundary", "Edge"); }},
-    {"smooth",
-     [](const py::handle& v, Settings& s) { s.smooth_edges = names<EdgeId>(v, "smooth", "Edge"); }},
-    {"faces", set_faces},
-    {"initial_mesh", set_initial_mesh},
-    {"threads", [](const py::handle& v, Settings& s) { s.threads = count(v, "threads"); }},
-};
+void set(const Row<Settings>& row, const py::handle& value, Settings& settings) {
+  switch (row.kind) {
+    case Kind::kAllFaces:
+      return set_faces(value, settings);
+    case Kind::kLayers:
+      return set_layers(value, settings);
+    case Kind::kCore:
+      return set_core(value, settings);
+    case Kind::kWalls:
+      return set_walls(value, settings);
+    case Kind::kSizes:
+      return set_sizes(value, settings);
+    case Kind::kRefinements:
+      return set_refinements(value, settings);
+    case Kind::kInitialMesh:
+      return set_initial_mesh(value, settings);
+    default:
+      set_member(row, value, row.key, settings);
+  }
+}
 
 Settings settings_of(const py::kwargs& keywords) {
   Settings settings;
   for (const auto& [key, value] : keywords) {
     const auto name = key.cast<std::string>();
-    const Keyword* known = nullptr;
-    for (const Keyword& keyword : kKeywords) {
-      if (name == keyword.name) known = &keyword;
-    }
-    if (known == nullptr) throw InvalidInput("unknown setting \"" + name + "\"");
-    known->set(value, settings);
+    const Row<Settings>* row = row_of(mesh_rows(), name);
+    if (row == nullptr) throw InvalidInput("unknown setting \"" + name + "\"");
+    set(*row, value, settings);
   }
-  for (const char* needed : {"size", "first_height"}) {
-    if (!keywords.contains(needed)) {
-      throw InvalidInput(std::string("setting \"") + needed + "\" is missing");
+  for (const Row<Settings>& row : mesh_rows()) {
+    if (row.required && !keywords.contains(row.key)) {
+      throw InvalidInput(std::string("setting \"") + row.key + "\" is missing");
     }
   }
   return settings;
 }
 
-py::object layers_of(const Settings& settings) {
-  if (settings.end == EndOfGrowth::kIsotropic) return py::str("isotropic");
-  return py::int_(settings.layers);
+// As a job would say it; what only the core holds, such as lists of walls, is not told again.
+py::object value_of(const Row<Settings>& row, const Settings& settings) {
+  switch (row.kind) {
+    case Kind::kLayers:
+      return layers_of(settings);
+    case Kind::kCore:
+      return py::str(core_name(settings.core));
+    case Kind::kAllFaces:
+      if (settings.faces.empty()) return py::str("all");
+      break;
+    case Kind::kWalls:
+      return settings.walls_all ? py::object(py::str("all")) : py::object(py::none());
+    case Kind::kSizes:
+    case Kind::kRefinements:
+      return py::tuple();
+    default:
+      break;
+  }
+  return member_of(row, settings);
+}
+
+template <class Owner>
+py::object value_of(const Row<Owner>& row, const Owner& owner) {
+  return member_of(row, owner);
 }
 
 std::string describe(const Settings& settings) {
@@ -108,43 +126,90 @@ std::string describe(const Settings& settings) {
          shown(py::float_(settings.growth)) + ", layers " + shown(layers_of(settings)) + ">";
 }
 
-constexpr const char* kDoc =
-    "What is asked for. Settings(*, size, first_height, growth=1.2, layers=0, feature_angle=0,\n"
-    "curvature_angle=20, size_growth=1.4, sizes=[], refinements=[], core=\"quads\", order=1,\n"
-    "walls=\"all\", match=[], off=[], boundary=[], smooth=[], faces=\"all\", initial_mesh=None, "
-    "threads=0)\n\n"
-    "size, first_height in mm; angles in degrees. layers: a number, 0 = until the fronts close, "
-    "or\n"
-    "\"isotropic\". walls: \"all\", or a list of {\"edges\": [\"Edge3\"], \"faces\": [\"Face1\"],\n"
-    "\"first_height\", \"end_height\", \"aspect_ratio\", \"turning_angle\", \"growth\", "
-    "\"layers\",\n"
-    "\"thickness\"}. sizes: a list of {\"edges\", \"faces\", \"size\", \"segments\", \"cluster\",\n"
-    "\"both_ends\"}; refinements: a list of {\"point\": [x, y, z], \"size\", \"radius\"}.\n"
-    "initial_mesh: (points, triangles), arrays (n, 3) [mm] and (m, 3), of the shape: its nodes\n"
-    "inside the faces are where the triangulation starts, its spacing the size where it is finer.\n"
-    "order: 2 = with a node in the middle of each mesh edge, on the shape.\n"
-    "threads: 0 = as many as there are.\n\n"
-    "Raises InvalidInput naming the setting and its value. Values that depend on the model are\n"
-    "checked by Mesher.";
+py::object bound(double value) {
+  return std::isfinite(value) ? py::object(py::float_(value)) : py::object(py::none());
+}
+
+template <class Owner>
+py::list told(const std::vector<Row<Owner>>& rows) {
+  py::list list;
+  for (const Row<Owner>& row : rows) {
+    py::dict entry;
+    entry["key"] = row.key;
+    entry["kind"] = kind_name(row.kind);
+    entry["unit"] = row.unit;
+    entry["lowest"] = bound(row.range.lowest);
+    entry["highest"] = bound(row.range.highest);
+    entry["above"] = row.range.above;
+    entry["below"] = row.range.below;
+    py::list choices;
+    if (row.kind == Kind::kCore) {
+      for (const CoreElements core : kCoreElements) choices.append(core_name(core));
+    }
+    entry["choices"] = py::tuple(choices);
+    entry["required"] = row.required;
+    entry["default"] = row.required ? py::object(py::none()) : value_of(row, Owner());
+    entry["doc"] = row.doc;
+    list.append(entry);
+  }
+  return list;
+}
+
+py::dict schema() {
+  py::dict tables;
+  tables["mesh"] = told(mesh_rows());
+  tables["walls"] = told(wall_rows());
+  tables["sizes"] = told(size_rows());
+  tables["refinements"] = told(refinement_rows());
+  return tables;
+}
+
+py::dict resolve_wall(const Settings& settings, const py::dict& entry) {
+  const ResolvedWall wall = advlayers::resolve_wall(wall_of(entry), settings);
+  const bool isotropic = wall.end == EndOfGrowth::kIsotropic;
+  py::dict found;
+  found["first_height"] = shown_value(wall.first_height);
+  found["end_height"] = shown_value(wall.end_height);
+  found["growth"] = wall.growth;
+  found["layers"] = isotropic ? py::object(py::str(kIsotropic)) : shown_value(wall.layers);
+  found["expected_layers"] = wall.layers;
+  found["thickness"] = shown_value(wall.thickness);
+  return found;
+}
+
+std::string doc_of_settings() {
+  std::string doc = "What is asked for: keywords only. Lengths in mm, angles in degrees.\n";
+  for (const Row<Settings>& row : mesh_rows()) {
+    const std::string unit = *row.unit == '\0' ? "" : std::string(" [") + row.unit + "]";
+    doc += std::string("\n") + row.key + unit + (row.required ? " (needed)" : "") + ": " + row.doc;
+  }
+  return doc +
+         "\n\nRaises InvalidInput naming the setting and its value. Values that depend on the "
+         "model are\nchecked by Mesher.";
+}
 
 }  // namespace
 
 void bind_settings(py::module_& module) {
-  py::class_<Settings>(module, "Settings", kDoc)
-      .def(py::init(&settings_of))
-      .def_readonly("size", &Settings::size, "Target edge length [mm].")
-      .def_readonly("first_height", &Settings::first_height, "Height of the first layer [mm].")
-      .def_readonly("growth", &Settings::growth, "Ratio of each height to the one before.")
-      .def_property_readonly("layers", &layers_of, "Number of layers, or \"isotropic\".")
-      .def_readonly("feature_angle", &Settings::feature_angle, "[deg]")
-      .def_readonly("curvature_angle", &Settings::curvature_angle, "[deg]")
-      .def_readonly("size_growth", &Settings::size_growth, "Most that neighbouring edges differ.")
-      .def_property_readonly(
-          "core",
-          [](const Settings& s) { return s.core == CoreElements::kQuads ? "quads" : "triangles"; })
-      .def_readonly("order", &Settings::order, "1, or 2: with mid nodes.")
-      .def_readonly("threads", &Settings::threads)
-      .def("__repr__", &describe);
+  static const std::string kDoc = doc_of_settings();
+  py::class_<Settings> kind(module, "Settings", kDoc.c_str());
+  kind.def(py::init(&settings_of)).def("__repr__", &describe);
+  for (const Row<Settings>& row : mesh_rows()) {
+    if (row.kind == Kind::kInitialMesh || row.kind == Kind::kSizes ||
+        row.kind == Kind::kRefinements || row.kind == Kind::kWalls) {
+      continue;
+    }
+    kind.def_property_readonly(
+        row.key, [&row](const Settings& settings) { return value_of(row, settings); }, row.doc);
+  }
+  module.def("schema", &schema,
+             "The rows of all settings: key, kind, unit, range, choices, default and doc, by table "
+             "(mesh, walls, sizes, refinements).");
+  module.def("resolve_wall", &resolve_wall, py::arg("settings"), py::arg("wall") = py::dict(),
+             "What a wall of these settings comes to: first_height and end_height [mm], growth,\n"
+             "layers as asked, expected_layers (0: open) and the thickness [mm] of those; None "
+             "where that\nfollows from the mesh. wall: an entry of the list of walls; its edges "
+             "may be left out.\n\nRaises InvalidInput where it contradicts itself.");
 }
 
 }  // namespace advlayers::python

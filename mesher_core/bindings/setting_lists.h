@@ -12,4 +12,7 @@ void set_walls(const pybind11::handle& value, Settings& settings);
 void set_sizes(const pybind11::handle& value, Settings& settings);
 void set_refinements(const pybind11::handle& value, Settings& settings);
 
+// One wall of such a list, which may leave its edges out here.
+WallSpec wall_of(const pybind11::handle& value);
+
 }  // namespace advlayers::python

@@ -7,9 +7,9 @@ namespace advlayers::python {
 std::string shown(const py::handle& value) { return py::repr(value).cast<std::string>(); }
 
 // The zero-based number in a CAD name such as "Edge7".
-std::int32_t number_in_name(const py::handle& value, const char* setting, const std::string& kind) {
-  const std::string wanted =
-      std::string(setting) + " must name " + kind + "s, like \"" + kind + "7\"";
+std::int32_t number_in_name(const py::handle& value, const std::string& setting,
+                            const std::string& kind) {
+  const std::string wanted = setting + " must name " + kind + "s, like \"" + kind + "7\"";
   if (!py::isinstance<py::str>(value)) throw InvalidInput(wanted + ", got " + shown(value));
   const auto name = value.cast<std::string>();
   const bool prefixed = name.compare(0, kind.size(), kind) == 0;
@@ -20,40 +20,40 @@ std::int32_t number_in_name(const py::handle& value, const char* setting, const 
   return static_cast<std::int32_t>(std::stol(digits) - 1);
 }
 
-double number(const py::handle& value, const char* setting) {
+double number(const py::handle& value, const std::string& setting) {
   const bool plain = !py::isinstance<py::bool_>(value) && PyNumber_Check(value.ptr()) == 1;
   const double real = plain ? PyFloat_AsDouble(value.ptr()) : 0.0;
   const bool failed = PyErr_Occurred() != nullptr;  // a complex number, or one out of range
   PyErr_Clear();
   if (plain && !failed) return real;
-  throw InvalidInput(std::string(setting) + " must be a number, got " + shown(value));
+  throw InvalidInput(setting + " must be a number, got " + shown(value));
 }
 
-int count(const py::handle& value, const char* setting) {
+int count(const py::handle& value, const std::string& setting) {
   py::object whole;  // of numpy's integers, too
   if (!py::isinstance<py::bool_>(value)) {
     whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
   }
   PyErr_Clear();
   if (!whole) {
-    throw InvalidInput(std::string(setting) + " must be a whole number, got " + shown(value));
+    throw InvalidInput(setting + " must be a whole number, got " + shown(value));
   }
   try {
     return whole.cast<int>();
   } catch (const py::cast_error&) {
-    throw InvalidInput(std::string(setting) + " is out of range: " + shown(value));
+    throw InvalidInput(setting + " is out of range: " + shown(value));
   }
 }
 
-bool flag(const py::handle& value, const char* setting) {
+bool flag(const py::handle& value, const std::string& setting) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
-  throw InvalidInput(std::string(setting) + " must be true or false, got " + shown(value));
+  throw InvalidInput(setting + " must be true or false, got " + shown(value));
 }
 
-Vec3 point(const py::handle& value, const char* setting) {
+Vec3 point(const py::handle& value, const std::string& setting) {
   const bool listed = py::isinstance<py::sequence>(value) && !py::isinstance<py::str>(value);
   if (!listed || py::len(value) != 3) {
-    throw InvalidInput(std::string(setting) + " must be three numbers, got " + shown(value));
+    throw InvalidInput(setting + " must be three numbers, got " + shown(value));
   }
   const auto list = py::reinterpret_borrow<py::sequence>(value);
   Vec3 xyz;

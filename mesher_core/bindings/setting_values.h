@@ -14,20 +14,20 @@ namespace advlayers::python {
 std::string shown(const pybind11::handle& value);
 
 // The zero-based number in a CAD name such as "Edge7". All throw InvalidInput naming `setting`.
-std::int32_t number_in_name(const pybind11::handle& value, const char* setting,
+std::int32_t number_in_name(const pybind11::handle& value, const std::string& setting,
                             const std::string& kind);
-double number(const pybind11::handle& value, const char* setting);
-int count(const pybind11::handle& value, const char* setting);
-bool flag(const pybind11::handle& value, const char* setting);
-Vec3 point(const pybind11::handle& value, const char* setting);
+double number(const pybind11::handle& value, const std::string& setting);
+int count(const pybind11::handle& value, const std::string& setting);
+bool flag(const pybind11::handle& value, const std::string& setting);
+Vec3 point(const pybind11::handle& value, const std::string& setting);
 
 template <class EntityId>
-std::vector<EntityId> names(const pybind11::handle& value, const char* setting,
+std::vector<EntityId> names(const pybind11::handle& value, const std::string& setting,
                             const std::string& kind) {
   if (pybind11::isinstance<pybind11::str>(value) ||
       !pybind11::isinstance<pybind11::iterable>(value)) {
-    throw InvalidInput(std::string(setting) + " must be a list of names like \"" + kind +
-                       "7\", got " + shown(value));
+    throw InvalidInput(setting + " must be a list of names like \"" + kind + "7\", got " +
+                       shown(value));
   }
   std::vector<EntityId> ids;
   for (const pybind11::handle item : value) ids.emplace_back(number_in_name(item, setting, kind));

@@ -6,10 +6,11 @@ import pytest
 from advlayers.errors import InputError
 from advlayers.settings_check import CHECKS, check_all, check_names
 from advlayers.settings_table import (
-    JOB_SETTINGS, MESH_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, range_said,
-    setting)
+    JOB_SETTINGS, MESH_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Y_PLUS_SETTINGS,
+    property_name, range_said, setting)
 
-EVERY_SETTING = MESH_SETTINGS + JOB_SETTINGS + WALL_SETTINGS + SIZE_SETTINGS + REFINEMENT_SETTINGS
+EVERY_SETTING = (MESH_SETTINGS + JOB_SETTINGS + WALL_SETTINGS + SIZE_SETTINGS + REFINEMENT_SETTINGS
+                 + Y_PLUS_SETTINGS)
 
 
 @pytest.mark.parametrize("entry", EVERY_SETTING, ids=lambda entry: entry.key)
@@ -22,14 +23,16 @@ def test_every_entry_is_complete(entry):
 @pytest.mark.parametrize("entry", MESH_SETTINGS, ids=lambda entry: entry.key)
 def test_every_mesh_setting_has_a_property_or_child_objects(entry):
     if entry.child:
-        assert not entry.property
+        assert not entry.group
+    elif entry.becomes:
+        assert setting(entry.becomes).group
     else:
-        assert entry.property and entry.property_type.startswith("App::Property") and entry.group
+        assert entry.group and property_name(entry).isalnum()
 
 
 def test_keys_and_properties_are_unique():
     keys = [entry.key for entry in MESH_SETTINGS + JOB_SETTINGS]
-    properties = [entry.property for entry in MESH_SETTINGS if entry.property]
+    properties = [property_name(entry) for entry in MESH_SETTINGS if entry.group]
     assert len(set(keys)) == len(keys)
     assert len(set(properties)) == len(properties)
 
@@ -40,7 +43,7 @@ def test_defaults_pass_their_own_check():
 
 
 @pytest.mark.parametrize("key, value, words", [
-    ("growth", 0.5, "growth must be >= 1, got 0.5"),
+    ("growth", 0.5, "growth must be >= 1 and <= 10, got 0.5"),
     ("growth", "1.2", "growth must be a number"),
     ("growth", True, "growth must be a number"),
     ("growth", math.nan, "finite"),

@@ -98,37 +98,44 @@ def read_file(
     """
 
 class Settings:
-    """What is asked for; size and first_height in mm, angles in degrees.
+    """What is asked for, by the keys of docs/settings.md.
 
-    layers: a number, 0 = until the fronts close, or "isotropic". walls: "all", or a list of
-    {"edges": ["Edge3"], "faces": ["Face1"], "first_height", "end_height", "aspect_ratio",
-    "turning_angle", "growth", "layers", "thickness"}, of which all but "edges" may be left out.
-    sizes: a list of {"edges", "faces", "size", "segments", "cluster", "both_ends"}.
-    refinements: a list of {"point": [x, y, z], "size", "radius"}. size_growth: the most that
-    neighbouring edges differ. initial_mesh: points (n, 3) [mm] and triangles (m, 3) of an existing
-    mesh of the shape: its nodes inside the faces are where the triangulation starts, its spacing is
-    the size where it is finer. order: 2 = with a node in the middle of each mesh edge, on the
-    shape. threads: 0 = as many as there are.
-
-    Raises InvalidInput naming the setting and its value. What depends on the model is checked
-    by Mesher.
+    Raises InvalidInput naming the setting and its value. What depends on the model
+    is checked by Mesher.
     """
 
     def __init__(
-        self, *, size: float, first_height: float, growth: float = ...,
-        layers: Union[int, Literal["isotropic"]] = ..., feature_angle: float = ...,
-        curvature_angle: float = ..., size_growth: float = ...,
-        sizes: Iterable[Mapping[str, Any]] = ..., refinements: Iterable[Mapping[str, Any]] = ...,
-        core: Literal["quads", "triangles"] = ..., order: Literal[1, 2] = ...,
-        walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
-        match: Iterable[str] = ..., off: Iterable[str] = ...,
-        boundary: Iterable[str] = ..., smooth: Iterable[str] = ...,
+        self, *,
         faces: Union[Literal["all"], Iterable[str]] = ...,
+        feature_angle: float = ...,
         initial_mesh: Optional[Tuple[NDArray[np.float64], NDArray[np.int32]]] = ...,
+        size: float,
+        curvature_angle: float = ...,
+        size_growth: float = ...,
+        sizes: Iterable[Mapping[str, Any]] = ...,
+        refinements: Iterable[Mapping[str, Any]] = ...,
+        first_height: float,
+        growth: float = ...,
+        layers: Union[int, Literal["isotropic"]] = ...,
+        walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
+        match: Iterable[str] = ...,
+        off: Iterable[str] = ...,
+        boundary: Iterable[str] = ...,
+        smooth: Iterable[str] = ...,
+        core: str = ...,
+        order: int = ...,
         threads: int = ...,
     ) -> None: ...
     @property
+    def faces(self) -> Union[str, Tuple[str, ...]]: ...
+    @property
+    def feature_angle(self) -> float: ...
+    @property
     def size(self) -> float: ...
+    @property
+    def curvature_angle(self) -> float: ...
+    @property
+    def size_growth(self) -> float: ...
     @property
     def first_height(self) -> float: ...
     @property
@@ -136,17 +143,32 @@ class Settings:
     @property
     def layers(self) -> Union[int, str]: ...
     @property
-    def feature_angle(self) -> float: ...
+    def match(self) -> Tuple[str, ...]: ...
     @property
-    def curvature_angle(self) -> float: ...
+    def off(self) -> Tuple[str, ...]: ...
     @property
-    def size_growth(self) -> float: ...
+    def boundary(self) -> Tuple[str, ...]: ...
+    @property
+    def smooth(self) -> Tuple[str, ...]: ...
     @property
     def core(self) -> str: ...
     @property
     def order(self) -> int: ...
     @property
     def threads(self) -> int: ...
+
+def schema() -> Dict[str, List[Dict[str, Any]]]:
+    """The rows of all settings, by table (mesh, walls, sizes, refinements): key, kind, unit,
+    lowest, highest (None: no bound), above, below (the bound itself is not allowed), choices,
+    required, default and doc."""
+
+def resolve_wall(settings: Settings, wall: Mapping[str, Any] = ...) -> Dict[str, Any]:
+    """What a wall of these settings comes to: first_height and end_height [mm], growth, layers as
+    asked, expected_layers (0: open) and the thickness [mm] of those; None where that follows from
+    the mesh. `wall` is an entry of the list of walls; its edges may be left out.
+
+    Raises InvalidInput where it contradicts itself.
+    """
 
 class LayerReport:
     """One layer of one patch."""
@@ -228,7 +250,7 @@ class Mesh:
     def walls(self) -> List[Dict[str, Any]]:
         """Per wall edge and face: edge, face, first_height, growth, achieved_first_height
         {min, mean, max}, achieved_growth, layers, stops, first_stops
-        {reason: {point, layer}}; empty in a snapshot"""
+        {reason: {point, layer}}, shortfalls [{code, text, form, values}]; empty in a snapshot"""
     @property
     def diagnostics(self) -> List[Dict[str, Any]]:
         """Each: severity ("info", "warning", "error"), code, patch (or None), layer, point, text"""

@@ -13,10 +13,10 @@
 #include "mend/split_inside.h"
 #include "mesh/validate.h"
 #include "mesher/element_faces.h"
-#include "mesher/missed_heights.h"
 #include "mesher/narrow_strip.h"
 #include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
+#include "mesher/wall_shortfalls.h"
 #include "quads/recombine.h"
 #include "triangulate/triangulate.h"
 
@@ -29,20 +29,6 @@ void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
   for (std::size_t k = 0; k < kCount; ++k) {
     if (counts[k] > 0) total[name(static_cast<Kind>(k))] += counts[k];
   }
-}
-
-// A first height this far from the one asked for, relative to it, is worth a warning.
-constexpr double kHeightMissed = 0.1;
-
-// "collision (3), merged (2)": why columns ended, but for those that are complete.
-Sentence reasons_of(const WallReport& wall) {
-  Sentence all;
-  for (const auto& [reason, count] : wall.stops) {
-    if (reason == stop_name(Stop::kLayersReached)) continue;
-    const Sentence one("{} ({})", reason, count);
-    all = all.empty() ? one : Sentence("{}, {}", all, one);
-  }
-  return all;
 }
 
 }  // namespace
@@ -315,20 +301,16 @@ void PatchJob::count_elements(const RunContext& context) {
 void PatchJob::judge_walls() {
   std::vector<const WallReport*> missed;
   for (const WallReport& wall : wall_reports_) {
-    const std::string edge = edge_name(wall.edge), face = face_name(wall.face);
-    const bool none = wall.achieved_max <= 0.0 && !(wall.layers > 0);
-    if (none || wall.layers < wall.requested_layers) {
-      const Sentence got = none ? Sentence("{} on {} got no layers", edge, face)
-                                : Sentence("{} on {} got {} complete layers of {}", edge, face,
-                                           wall.layers, wall.requested_layers);
-      const Sentence reasons = reasons_of(wall);
-      complain(Severity::kWarning, none ? "wall-without-layers" : "wall-short-of-layers",
-               reasons.empty() ? got : Sentence("{}: {}", got, reasons));
+    for (Shortfall& shortfall : shortfalls_of(wall)) {
+      if (shortfall.code == kHeightMissed) {
+        missed.push_back(&wall);
+      } else {
+        complain(Severity::kWarning, shortfall.code, std::move(shortfall.sentence));
+      }
     }
-    if (wall.height_error > kHeightMissed) missed.push_back(&wall);
   }
   if (!missed.empty()) {
-    complain(Severity::kWarning, "wall-height-missed", missed_heights(std::move(missed)));
+    complain(Severity::kWarning, kHeightMissed, missed_heights(std::move(missed)));
   }
 }
 

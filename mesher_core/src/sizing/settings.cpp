@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/model.h"
+#include "sizing/schema.h"
 #include "sizing/size_field.h"
 #include "sizing/wall_spacing.h"
 
@@ -13,52 +14,18 @@ namespace advlayers {
 
 namespace {
 
-constexpr double kMaxGrowth = 10.0;
-constexpr int kMostSegments = 1000000;
-constexpr double kMostCluster = 1e6;
-constexpr double kLeastHeight = 1e-12;  // of the box diagonal
-constexpr double kLargestAspect = 1e8;
+constexpr double kLeastHeight = 1e-12;    // of the box diagonal
 constexpr double kSharpestSmooth = 70.0;  // [deg] elements can be cut along the edge below it
 constexpr double kMostElements = 1e8;     // some 50 GB of mesh
-
-[[noreturn]] void refuse(const std::string& name, const Sentence& rule, double value,
-                         const std::string& where) {
-  if (where.empty()) throw InvalidInput("{} must be {}, got {}", name, rule, value);
-  throw InvalidInput("{} must be {}, got {} ({})", name, rule, value, where);
-}
-
-[[noreturn]] void refuse(const std::string& name, const char* rule, double value,
-                         const std::string& where) {
-  refuse(name, Sentence("{}", rule), value, where);
-}
-
-void check_positive(const std::string& name, double value, const std::string& where = "") {
-  if (!(std::isfinite(value) && value > 0.0)) refuse(name, "> 0 mm", value, where);
-}
 
 // A layer must be higher than coordinates are exact, by an order of magnitude or two.
 void check_height(const std::string& name, double value, const Model& model,
                   const std::string& where = "") {
-  check_positive(name, value, where);
   if (value >= kLeastHeight * model.diagonal()) return;
-  refuse(name,
-         Sentence("> {} mm, {} of the shape's diagonal", kLeastHeight * model.diagonal(),
-                  kLeastHeight),
-         value, where);
-}
-
-void check_growth(double growth, const std::string& where = "") {
-  if (!(growth >= 1.0)) refuse("growth", ">= 1", growth, where);
-  if (!(growth <= kMaxGrowth)) refuse("growth", "<= 10", growth, where);
-}
-
-void check_angles(const Settings& settings) {
-  if (!(settings.feature_angle >= 0.0 && settings.feature_angle < 180.0)) {
-    refuse("feature_angle", Sentence("in [0, 180) degrees"), settings.feature_angle, "");
-  }
-  if (!(settings.curvature_angle > 0.0 && settings.curvature_angle <= 90.0)) {
-    refuse("curvature_angle", Sentence("in (0, 90] degrees"), settings.curvature_angle, "");
-  }
+  refuse_value(name,
+               Sentence("> {} mm, {} of the shape's diagonal", kLeastHeight * model.diagonal(),
+                        kLeastHeight),
+               value, where);
 }
 
 void check_edge(EdgeId e, const Model& model, const char* list) {
@@ -97,17 +64,10 @@ void check_wall(const WallSpec& wall, const Model& model) {
                          face_name(f), where + (wall.edges.size() > 1 ? ", ..." : ""));
     }
   }
+  check_ranges(wall, wall_rows(), "", where);
   if (wall.first_height) check_height("first_height", *wall.first_height, model, where);
-  if (wall.growth) check_growth(*wall.growth, where);
   if (wall.end_height) check_height("end_height", *wall.end_height, model, where);
   if (wall.thickness) check_height("thickness", *wall.thickness, model, where);
-  if (wall.aspect_ratio && !(*wall.aspect_ratio > 0.0 && *wall.aspect_ratio <= kLargestAspect)) {
-    refuse("aspect_ratio", Sentence("in (0, 1e8]"), *wall.aspect_ratio, where);
-  }
-  if (wall.turning_angle && !(*wall.turning_angle > 0.0 && *wall.turning_angle <= 90.0)) {
-    refuse("turning_angle", Sentence("in (0, 90] degrees"), *wall.turning_angle, where);
-  }
-  if (wall.layers && *wall.layers < 0) refuse("layers", ">= 0", *wall.layers, where);
 }
 
 void check_size(const SizeSpec& spec, const Model& model) {
@@ -124,13 +84,7 @@ void check_size(const SizeSpec& spec, const Model& model) {
   if (!spec.size && !spec.segments && !spec.cluster) {
     refuse_entry(Sentence("an entry needs a size, segments or cluster"));
   }
-  if (spec.size) check_positive("sizes: size", *spec.size, where);
-  if (spec.segments && (*spec.segments < 1 || *spec.segments > kMostSegments)) {
-    refuse("sizes: segments", Sentence("from 1 to 1000000"), *spec.segments, where);
-  }
-  if (spec.cluster && !(*spec.cluster >= 1.0 / kMostCluster && *spec.cluster <= kMostCluster)) {
-    refuse("sizes: cluster", Sentence("from 1e-6 to 1e6"), *spec.cluster, where);
-  }
+  check_ranges(spec, size_rows(), "sizes: ", where);
   if (spec.both_ends && !spec.cluster) refuse_entry(Sentence("both_ends needs a cluster"));
   if (spec.edges.empty() && (spec.segments || spec.cluster)) {
     refuse_entry(Sentence("segments and cluster are of edges, and the entry lists none"));
@@ -154,14 +108,8 @@ void check_sizes(const Settings& settings, const Model& model) {
     }
   }
   for (const Refinement& r : settings.refinements) {
-    check_positive("refinements: size", r.size);
-    if (!(r.radius >= 0.0 && std::isfinite(r.radius))) {
-      refuse("refinements: radius", ">= 0 mm", r.radius, "");
-    }
+    check_ranges(r, refinement_rows(), "refinements: ");
     if (!r.point.allFinite()) throw InvalidInput("{}: point must be finite", "refinements");
-  }
-  if (!(settings.size_growth > 1.0 && settings.size_growth <= 3.0)) {
-    refuse("size_growth", Sentence("> 1 and <= 3"), settings.size_growth, "");
   }
 }
 
@@ -273,17 +221,11 @@ FeatureRule feature_rule(const Settings& settings) {
 }
 
 void check(const Settings& settings, const Model& model) {
-  check_positive("size", settings.size);
+  check_ranges(settings, mesh_rows());
   check_height("first_height", settings.first_height, model);
-  check_growth(settings.growth);
-  check_angles(settings);
   if (settings.end == EndOfGrowth::kLayers && settings.layers < 1) {
-    refuse("layers", ">= 1", settings.layers, "");
+    refuse_value("layers", Sentence(">= 1"), settings.layers);
   }
-  if (settings.order != 1 && settings.order != 2) {
-    refuse("order", "1 or 2", settings.order, "");
-  }
-  if (settings.threads < 0) refuse("threads", ">= 0", settings.threads, "");
   for (const FaceId f : settings.faces) check_face(f, model, "faces");
   check_sizes(settings, model);
   check_amount(settings, model);

@@ -5,14 +5,13 @@
 
 #include "base/error.h"
 #include "geometry/model.h"
+#include "sizing/schema.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kMaxGrowth = 10.0;  // as settings.cpp checks it
-constexpr int kMostLayers = 100000;
-
 [[noreturn]] void refuse(const WallSpec& spec, const Sentence& why) {
+  if (spec.edges.empty()) throw InvalidInput("{}: {}", "walls", why);
   throw InvalidInput("{}: {} ({})", "walls", why, edge_name(spec.edges.front()));
 }
 
@@ -42,11 +41,11 @@ int layers_for(const WallSpec& spec, double height, double growth, double thickn
 
 double growth_for(const WallSpec& spec, double height, int layers, double thickness) {
   if (thickness < height * layers * (1.0 - 1e-9) ||
-      thickness > thickness_of(height, kMaxGrowth, layers)) {
-    refuse(spec, Sentence("no growth from 1 to 10 makes {} layers from {} mm {} mm thick", layers,
-                          height, thickness));
+      thickness > thickness_of(height, kMostGrowth, layers)) {
+    refuse(spec, Sentence("no growth from 1 to {} makes {} layers from {} mm {} mm thick",
+                          kMostGrowth, layers, height, thickness));
   }
-  double low = 1.0, high = kMaxGrowth;
+  double low = 1.0, high = kMostGrowth;
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
     (thickness_of(height, middle, layers) < thickness ? low : high) = middle;

@@ -60,13 +60,13 @@ TEST(Settings, RefusalsNameTheSettingAndItsValue) {
   EXPECT_EQ(refusal(s), "first_height must be > 0 mm, got -2.5");
   s = good();
   s.growth = 0.5;
-  EXPECT_EQ(refusal(s), "growth must be >= 1, got 0.5");
+  EXPECT_EQ(refusal(s), "growth must be >= 1 and <= 10, got 0.5");
   s = good();
   s.end = EndOfGrowth::kLayers;
   EXPECT_EQ(refusal(s), "layers must be >= 1, got 0");
   s = good();
   s.feature_angle = 180.0;
-  EXPECT_EQ(refusal(s), "feature_angle must be in [0, 180) degrees, got 180");
+  EXPECT_EQ(refusal(s), "feature_angle must be >= 0 and < 180 deg, got 180");
   s = good();
   s.threads = -1;
   EXPECT_EQ(refusal(s), "threads must be >= 0, got -1");

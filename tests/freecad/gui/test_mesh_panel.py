@@ -70,7 +70,7 @@ def test_a_mesh_to_start_from_is_chosen_in_the_panel(opened):
 
 
 def test_every_setting_can_be_reached(opened):
-    names = [entry.key for entry in MESH_SETTINGS if entry.property and entry.key != "faces"]
+    names = [entry.key for entry in MESH_SETTINGS if entry.group and entry.key != "faces"]
     for key in names:
         assert child(QtGui.QWidget, f"LayerMesh_{key}").toolTip()
     advanced = child(QtGui.QGroupBox, "AdvLayersAdvanced")
@@ -93,6 +93,27 @@ def test_every_setting_can_be_reached(opened):
     assert (opened.Threads, opened.Layers, opened.Size.Value) == (1, "2", 4.0)
     names = [opened.FemMesh.getGroupName(i) for i in opened.FemMesh.Groups]
     assert "Layer2" in names and "Layer3" not in names
+
+
+def test_a_first_height_may_come_from_a_flow(opened):
+    flow = child(QtGui.QGroupBox, "AdvLayersFlow")
+    flow.setChecked(True)
+    events()
+    child(QtGui.QDoubleSpinBox, "AdvLayersFlow_speed").setValue(50.0)
+    child(QtGui.QWidget, "AdvLayersFlow_length").setProperty("rawValue", 500.0)
+    child(QtGui.QComboBox, "AdvLayersFlow_fluid").setCurrentIndex(1)
+    asked = advlayers.y_plus(speed=50.0, length=500.0, fluid="water")
+    said = child(QtGui.QLabel, "AdvLayersFlowSaid")
+    flow.setChecked(False)
+    flow.setChecked(True)  # says it anew
+    assert f"{asked.first_height:.4g} mm" in said.text()
+    child(QtGui.QCheckBox, "AdvLayersFlow_density_given").setChecked(True)
+    assert "viscosity" in said.text()
+    assert not child(QtGui.QPushButton, "AdvLayersFlowUse").isEnabled()
+    child(QtGui.QCheckBox, "AdvLayersFlow_density_given").setChecked(False)
+    click("AdvLayersFlowUse")
+    assert opened.FirstHeight.Value == pytest.approx(asked.first_height)
+    press_cancel()
 
 
 def test_a_mesh_may_update_itself(opened, box):

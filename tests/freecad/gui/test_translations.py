@@ -74,7 +74,7 @@ def forms_of(sentence):
 
 
 @pytest.mark.parametrize("language, words", (
-    ("German", "von 30 Schichten"), ("French", "couches sur 30")))
+    ("German", "Schichten von 30"), ("French", "couches complètes sur 30")))
 def test_what_the_mesher_has_to_say_is_translated(box, language, words):
     mesh = advlayers.make_layer_mesh(
         box, size=2.0, layers=30, walls=[{"edges": ["Edge1"]}], match=["Edge5", "Edge9"])

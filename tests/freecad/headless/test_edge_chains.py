@@ -5,7 +5,7 @@ import Part
 import pytest
 
 from advlayers.edge_chains import EdgeChains
-from advlayers.height_lines import layers_until, thickness, wall_lines
+from advlayers.height_lines import wall_lines
 
 SETTINGS = {"faces": "all", "walls": "all", "match": (), "off": (), "boundary": (),
             "smooth": (), "first_height": 0.1, "growth": 1.5, "layers": 3, "size": 1.0}
@@ -91,8 +91,15 @@ def test_walls_of_their_own():
     assert not [line for line in lines if line.edge == "Edge3"]
 
 
-def test_thickness_and_the_layers_up_to_a_height():
-    assert thickness(0.1, 1.0, 7) == pytest.approx(0.7)
-    assert thickness(1.0, 2.0, 3) == pytest.approx(7.0)
-    assert layers_until(1.0, 2.0, 5.0) == 3  # 1, 2, 4
-    assert layers_until(1.0, 1.0, 5.0) == 0
+def test_lines_show_what_the_core_makes():
+    """Of a thickness and the whole mesh's other values layers are worked out first."""
+    walls = ({"edges": ("Edge1",), "faces": ("Face1",), "thickness": 1.0},)
+    (line,) = wall_lines(Part.makeBox(10, 10, 10), {**SETTINGS, "layers": 10, "walls": walls})
+    np.testing.assert_allclose(line.first_heights, 0.1, rtol=1e-9)
+
+
+def test_the_height_of_layers_until_isotropic():
+    (line,) = wall_lines(Part.makeBox(10, 10, 10), {
+        **SETTINGS, "layers": "isotropic", "growth": 2.0,
+        "walls": ({"edges": ("Edge1",), "faces": ("Face1",)},)})
+    np.testing.assert_allclose(line.totals, 0.1 * (1 + 2 + 4 + 8), rtol=1e-9)  # the next: 1.6 > 1

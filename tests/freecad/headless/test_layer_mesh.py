@@ -9,6 +9,8 @@ import pytest
 from advlayers import layer_mesh, mesh_data
 from advlayers.errors import InputError
 from advlayers.mesh_properties import property_settings
+from advlayers.properties import property_type
+from advlayers.settings_table import property_name
 
 
 def groups_of(fem):
@@ -195,9 +197,9 @@ def test_results_cannot_be_edited(box):
 def test_every_property_has_its_tooltip(box):
     made = layer_mesh.create(box)
     for entry in property_settings():
-        assert made.getTypeIdOfProperty(entry.property) == entry.property_type
-        assert made.getGroupOfProperty(entry.property) == entry.group
-        assert made.getDocumentationOfProperty(entry.property) == entry.doc
+        assert made.getTypeIdOfProperty(property_name(entry)) == property_type(entry)
+        assert made.getGroupOfProperty(property_name(entry)) == entry.group
+        assert made.getDocumentationOfProperty(property_name(entry)) == entry.doc
     for name in made.PropertiesList:
         if made.getGroupOfProperty(name) not in ("", "Base"):
             assert made.getDocumentationOfProperty(name), name

@@ -21,7 +21,7 @@ def test_the_code_of_the_page_runs(capsys):
         for block in blocks:
             exec(compile(block, PAGE, "exec"), names)
         printed = capsys.readouterr().out
-        assert "growth must be >= 1, got 0.5" in printed and "Out of date" in printed
+        assert "growth must be >= 1 and <= 10, got 0.5" in printed and "Out of date" in printed
         assert names["mesh"].State == "Up to date"
         assert os.path.getsize(os.path.join(names["folder"], "duct.vtu")) > 1000
         assert len(names["result"].quads) > 0
