@@ -63,11 +63,13 @@ std::shared_ptr<MeshView> snapshot_of(const MesherHandle& self) {
   return std::make_shared<MeshView>(self.mesher.snapshot());
 }
 
-template <std::size_t kCount, class Kind>
-py::dict counted(const std::array<int, kCount>& counts, const char* (*name)(Kind)) {
+template <class Id, std::size_t kCount>
+py::dict counted(const std::array<int, kCount>& counts,
+                 const std::array<Named<Id>, kCount>& names) {
   py::dict named;
-  for (std::size_t k = 0; k < kCount; ++k) {
-    if (counts[k] > 0) named[name(static_cast<Kind>(k))] = counts[k];
+  for (const auto& [id, name] : names) {
+    const int count = counts[static_cast<std::size_t>(id)];
+    if (count > 0) named[name] = count;
   }
   return named;
 }
@@ -89,13 +91,13 @@ void bind_report(py::module_& module) {
       .def_readonly("quads", &LayerReport::quads, "Made in this layer.")
       .def_readonly("triangles", &LayerReport::triangles, "Made in this layer.")
       .def_property_readonly(
-          "vetoes", [](const LayerReport& r) { return counted(r.vetoes, veto_name); },
+          "vetoes", [](const LayerReport& r) { return counted(r.vetoes, kVetoes); },
           "Why local operations were refused -> how often.")
       .def_property_readonly(
-          "events", [](const LayerReport& r) { return counted(r.events, event_name); },
+          "events", [](const LayerReport& r) { return counted(r.events, kEvents); },
           "Why the front lost edges -> how often.")
       .def_property_readonly(
-          "stops", [](const LayerReport& r) { return counted(r.stops, stop_name); },
+          "stops", [](const LayerReport& r) { return counted(r.stops, kStops); },
           "Why front vertices got no further kid -> how many.")
       .def("__repr__", &describe);
 }

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "boundary/discretization.h"
 #include "core/core_improvement.h"
@@ -34,23 +35,19 @@ struct Variant {
   bool RecombineSteps::*core_step = nullptr;
 };
 
-constexpr Variant kVariants[] = {
-    {""},
-    {"row ends", &LayerSteps::row_ends},
-    {"fans", &LayerSteps::fans},
-    {"3 to 1 coarsening", &LayerSteps::coarsening},
-    {"tips", &LayerSteps::tips},
-    {"zips", &LayerSteps::zips},
-    {"rungs", &LayerSteps::rungs},
-    {"bridges", &LayerSteps::bridges},
-    {"sharing of gaps", &LayerSteps::sharing},
-    {"alignment of fronts", &LayerSteps::alignment},
-    {"smoothing of layers", &LayerSteps::smoothing},
-    {"triangle walks", nullptr, &RecombineSteps::walks},
-    {"triangle pairs", nullptr, &RecombineSteps::pairs},
-    {"pentagons cut anew", nullptr, &RecombineSteps::pentagons},
-    {"smoothing of the core", nullptr, &RecombineSteps::smoothing},
-};
+// All steps, then each of them left out.
+std::vector<Variant> variants() {
+  std::vector<Variant> all{{""}};
+  for (const OptionalStep& step : kOptionalSteps) all.push_back({step.name, step.member});
+  const std::vector<Variant> of_core{
+      {"triangle walks", nullptr, &RecombineSteps::walks},
+      {"triangle pairs", nullptr, &RecombineSteps::pairs},
+      {"pentagons cut anew", nullptr, &RecombineSteps::pentagons},
+      {"smoothing of the core", nullptr, &RecombineSteps::smoothing},
+  };
+  all.insert(all.end(), of_core.begin(), of_core.end());
+  return all;
+}
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -123,7 +120,7 @@ int main(int count, char** words) {
     settings.size = std::atof(words[2]);
     settings.first_height = std::atof(words[3]);
     settings.growth = std::atof(words[4]);
-    for (const Variant& variant : kVariants) run(model, settings, variant);
+    for (const Variant& variant : variants()) run(model, settings, variant);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ablation: %s\n", error.what());
     return 1;

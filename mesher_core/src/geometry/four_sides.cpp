@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "geometry/face_corners.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 // A corner turns into the face by so much; what turns less belongs to a side.
 constexpr double kSharpest = 25.0 * kDegree;
 constexpr double kBluntest = 150.0 * kDegree;

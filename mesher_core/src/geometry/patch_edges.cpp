@@ -4,10 +4,11 @@
 #include <cmath>
 #include <map>
 
+#include "base/angles.h"
+
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 // A seam is a line of the parametrization, no feature, even where every face is a patch of its own.
 constexpr double kSmoothSeam = 1.0 * kDegree;
 // Two uses of an edge in the same place of (u, v), relative to the face's extent.

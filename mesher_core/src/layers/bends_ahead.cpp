@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/angles.h"
 #include "base/directions.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kMostEdgeBend = 40.0 * kDegree;
 // The core shrinks from a front edge's length to nearly nothing within so many of its lengths. Low
 // layers matter more than a core of even grading: they go on up to so many heights.
@@ -60,7 +60,7 @@ class BendFinder {
     const FrontNode& node = state_.front[i];
     ahead.looked = true;
     ahead.shape = node_shape(mesh_, state_.front, i);
-    const double height = std::min(node.height, state_.max_height);
+    const double height = std::min(node.growth.height, state_.max_height);
     ahead.reach = std::min(kRoomInLengths * ahead.shape.length(), kRoomInHeights * height);
     ahead.turns = core_turns(node.vertex, ahead.reach);
     return ahead;

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/angles.h"
 #include "base/directions.h"
 #include "sizing/gap_rule.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-// Between wall and boundary; beyond, layers do not run along it.
-constexpr double kLeastAngle = 42.0 * kDegree;
-constexpr double kLargestAngle = 138.0 * kDegree;
 constexpr double kSlide = 0.65;        // of the way to the next node, and the end goes there
 constexpr double kCornerCosine = 0.8;  // the boundary goes on straight over a CAD vertex
 constexpr double kLeastRoom = 0.9;     // heights that the next layer must find
@@ -87,7 +84,7 @@ EndStep ChainEnds::step(int node, double height, bool follows) const {
   step.kid = end.vertex;
   step.height = height;
   step.lag = end.lag + height;
-  if (angle < kLeastAngle || angle > kLargestAngle) return step;
+  if (!layers_run_along(angle, kChordSlack)) return step;
   const double most = end.lag + kHeightsSeen * height;
   const double room = room_along(end.vertex, forward, most) - end.lag;
   const double ahead = room * std::sin(angle);
@@ -115,7 +112,8 @@ void ChainEnds::join_facing(LayerState& state) {
     if (facing == starts.end()) continue;
     const int k = facing->second;
     const double gap = walk.step().norm();
-    if (height_in_gap(std::min(front[i].height, front[k].height), gap) > 0.0) continue;
+    if (height_in_gap(std::min(front[i].growth.height, front[k].growth.height), gap) > 0.0)
+      continue;
     front[i].next = k;
     front[k].prev = i;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "base/angles.h"
 #include "base/ties.h"
 #include "layers/concave_scaling.h"
 #include "layers/front_index.h"
@@ -12,11 +13,8 @@
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-// Halving a sharper corner would leave angles below 20 degrees: it is closed by a triangle instead.
-constexpr double kTipAngle = 40.0 * kDegree;
-constexpr double kStripTipAngle =
-    80.0 * kDegree;  // at the head of a narrow strip, to begin zipping
+// At the head of a narrow strip a corner is closed by a triangle up to this, to begin zipping.
+constexpr double kStripTipAngle = 80.0 * kDegree;
 // The end of a gap is zipped, and a gap bridged, where two more rows hardly fit: the paper's 2.4.
 constexpr double kZipHeights = 2.4;
 constexpr double kLeastEndAngle = 55.0 * kDegree;  // at the two corners of a strip's end
@@ -69,7 +67,7 @@ class Closer {
         if (!front_[i].active || front_[i].next < 0 || front_[i].prev < 0) continue;
         FrontIndex::Hit hit;
         const NodeShape shape = node_shape(mesh_, front_, i);
-        const double height = std::min(front_[i].height, state_.max_height);
+        const double height = std::min(front_[i].growth.height, state_.max_height);
         const double factor = concave_factor(shape, height);
         // Two rows, ours and the opposing one; a convex corner is joined one row earlier, while
         // there is room to reach both ends of the edge that it runs into.
@@ -120,7 +118,8 @@ class Closer {
         q = k;
       }
     }
-    if (q < 0 || distance(p, q) > std::max(kZipHeights * front_[p].height, 1.2 * gap.distance)) {
+    if (q < 0 ||
+        distance(p, q) > std::max(kZipHeights * front_[p].growth.height, 1.2 * gap.distance)) {
       return false;
     }
     if (!freeze_between(p, q).valid()) return false;
@@ -244,7 +243,8 @@ class Closer {
     const NodeShape shape = node_shape(mesh_, front_, a);
     const int b = front_[a].prev, c = front_[a].next;
     if (b == c || front_.ring_size(a, 4) >= 0) return false;
-    if (shape.angle > kTipAngle && (shape.angle > kStripTipAngle || !heads_strip(a))) return false;
+    const bool tip = corner_class(shape.angle) == CornerClass::kTip;
+    if (!tip && (shape.angle > kStripTipAngle || !heads_strip(a))) return false;
     const double ratio = shape.length_prev / shape.length_next;
     if (ratio < 0.5 || ratio > 2.0) return false;
     if (min_angle(at(b), at(a), at(c)) < kLeastTipAngle) return false;
@@ -261,7 +261,7 @@ class Closer {
     const int b = front_[a].prev, c = front_[a].next;
     const int before = front_[b].prev, after = front_[c].next;
     if (before < 0 || after < 0 || before == after) return false;
-    const double reach = kZipHeights * std::min(front_[a].height, state_.max_height);
+    const double reach = kZipHeights * std::min(front_[a].growth.height, state_.max_height);
     return distance(b, c) <= reach && distance(before, after) <= reach;
   }
 
@@ -273,7 +273,7 @@ class Closer {
     if (front_[c].next < 0) return false;
     const int before = front_[b].prev, after = front_[c].next;
     if (before == after || before == c || front_.ring_size(b, 4) >= 0) return false;
-    const double height = 0.5 * (front_[before].height + front_[after].height);
+    const double height = 0.5 * (front_[before].growth.height + front_[after].growth.height);
     if (distance(b, c) > kZipHeights * height) return false;
     if (!square_end(b, c) || !good_quad(before, b, c, after)) return false;
     if (!cut_off(before, after, 2)) return false;

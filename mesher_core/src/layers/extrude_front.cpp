@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/directions.h"
 #include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
@@ -10,9 +11,6 @@
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kFanAngle = 247.5 * kDegree;       // from here three quads meet at the corner
-constexpr double kReversalAngle = 315.0 * kDegree;  // and from here four
 // An extrusion turns with the surface no further than elements may deviate from it (paper, II.D).
 constexpr double kMostBend = 30.0 * kDegree;
 constexpr double kMostEdgeBend = 50.0 * kDegree;  // of a front edge that spreads
@@ -68,8 +66,9 @@ class Extruder {
   void extrude(int i) {
     const NodeShape& s = draft_.shape(i);
     const bool on_wall = draft_.mesh.data(draft_.front[i].vertex).support != Support::kPatch;
-    if (draft_.state.steps.fans && on_wall && s.angle >= kFanAngle) {
-      extrude_fan(i, s.angle >= kReversalAngle ? 2 : 1);
+    const CornerClass corner = corner_class(s.angle);
+    if (draft_.state.steps.fans && on_wall && corner >= CornerClass::kCorner) {
+      extrude_fan(i, corner == CornerClass::kReversal ? 2 : 1);
       return;
     }
     const double height = draft_.height(i);

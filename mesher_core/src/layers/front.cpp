@@ -29,15 +29,11 @@ Front::Front(const SurfaceMesh& mesh, const WallPlan& plan) {
       i = size();
       FrontNode node;
       node.vertex = node.root = v;
-      node.height = wall.height_at(mesh.data(v).node);
-      node.growth = wall.growth;
-      node.layers_left = wall.layers;
+      node.growth = wall.growth_at(mesh.data(v).node);
       nodes_.push_back(node);
     } else {  // between two walls: the mean height, the fewer layers
       FrontNode& node = nodes_[static_cast<std::size_t>(i)];
-      node.height = 0.5 * (node.height + wall.height_at(mesh.data(v).node));
-      node.growth = 0.5 * (node.growth + wall.growth);
-      node.layers_left = std::min(node.layers_left, wall.layers);
+      node.growth = node.growth.met_by(wall.growth_at(mesh.data(v).node));
     }
     return i;
   };

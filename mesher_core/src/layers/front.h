@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/patch_surface.h"
+#include "layers/growth.h"
 #include "layers/patch_layers.h"
 #include "layers/wall_plan.h"
 #include "mesh/surface_mesh.h"
@@ -16,9 +17,7 @@ namespace advlayers {
 struct FrontNode {
   VertexH vertex;
   int prev = -1, next = -1;  // along the front; -1: the chain ends here
-  double height = 0.0;       // of the next extrusion [mm]
-  double growth = 1.0;
-  int layers_left = 0;
+  Growth growth;
   VertexH root;      // the wall vertex whose column this is
   int fan_age = -1;  // layers since a fan made it; -1: not of a fan
   double lag = 0.0;  // of a chain's end behind its layer, along the boundary [mm]

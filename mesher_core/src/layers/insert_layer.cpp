@@ -191,9 +191,7 @@ class NodeMaker {
     const Kid& kid = plan_.kids[index(k)];
     FrontNode node;
     node.vertex = kid.vertex;
-    node.height = kid.height;
     node.growth = kid.growth;
-    node.layers_left = kid.layers_left;
     node.root = kid.root;
     node.fan_age = kid.fan_age;
     node.lag = kid.lag;

@@ -11,11 +11,11 @@ constexpr double kLeastLogGrowth = 1e-6;
 
 // Layers until the height reaches the length, if the length stays.
 double layers_needed(const FrontNode& node, const NodeShape& shape) {
-  if (node.height >= shape.length()) return 0.0;
-  const double log_growth = std::log(node.growth);
+  if (node.growth.height >= shape.length()) return 0.0;
+  const double log_growth = std::log(node.growth.ratio);
   if (log_growth < kLeastLogGrowth) return kMostLayers;
   return std::min(kMostLayers,
-                  std::ceil(std::log(shape.length() / node.height) / log_growth - 1e-9));
+                  std::ceil(std::log(shape.length() / node.growth.height) / log_growth - 1e-9));
 }
 
 }  // namespace

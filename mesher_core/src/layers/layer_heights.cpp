@@ -34,8 +34,9 @@ class HeightSetter {
       const FrontNode& node = draft_.front[i];
       if (!node.active || (node.prev < 0 && node.next < 0)) continue;
       draft_.plan.shapes[index(i)] = node_shape(draft_.mesh, draft_.front, i);
-      draft_.heights[index(i)] = std::min({node.height, draft_.state.max_height, most_height(i)});
-      if (node.layers_left <= 0) draft_.end(i, Stop::kLayersReached);
+      draft_.heights[index(i)] =
+          std::min({node.growth.height, draft_.state.max_height, most_height(i)});
+      if (node.growth.layers_left <= 0) draft_.end(i, Stop::kLayersReached);
     }
     if (draft_.state.stop_at_isotropy) end_isotropic();
     draft_.drop_lone_nodes(Stop::kNeighbour);

@@ -14,9 +14,7 @@ struct Kid {
   Vec3 normal = Vec3::Zero();
   std::vector<int> parents;  // front nodes joined to it by a parent-kid edge; the first extruded it
   int origin = -1;           // the node it is reached from; has no edge to it on a fan's diagonal
-  double height = 0.0;       // of the next layer's extrusion [mm]
-  double growth = 1.0;
-  int layers_left = 0;
+  Growth growth;             // after the layer
   int fan_age = -1;
   VertexH root;
   VertexH vertex;      // once inserted

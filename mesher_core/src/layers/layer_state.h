@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "layers/corner_class.h"
 #include "layers/front.h"
 #include "layers/layer_steps.h"
 #include "layers/patch_layers.h"
@@ -16,7 +17,6 @@ namespace advlayers {
 // Regular vertices of the first layers stay where they were extruded to, along the bisector and at
 // the height that was asked for.
 inline constexpr int kStraightLayers = 5;
-inline constexpr double kRegularTurn = 20.0 * M_PI / 180.0;  // of the front, at most
 
 struct LayerState {
   const RunContext& context;

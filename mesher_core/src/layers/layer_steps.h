@@ -17,4 +17,19 @@ struct LayerSteps {
   bool smoothing = true;   // of the newest layer (smooth.h)
 };
 
+struct OptionalStep {
+  const char* name;
+  bool LayerSteps::*member;
+};
+inline constexpr OptionalStep kOptionalSteps[] = {{"row ends", &LayerSteps::row_ends},
+                                                  {"fans", &LayerSteps::fans},
+                                                  {"3 to 1 coarsening", &LayerSteps::coarsening},
+                                                  {"tips", &LayerSteps::tips},
+                                                  {"zips", &LayerSteps::zips},
+                                                  {"rungs", &LayerSteps::rungs},
+                                                  {"bridges", &LayerSteps::bridges},
+                                                  {"sharing of gaps", &LayerSteps::sharing},
+                                                  {"alignment of fronts", &LayerSteps::alignment},
+                                                  {"smoothing of layers", &LayerSteps::smoothing}};
+
 }  // namespace advlayers

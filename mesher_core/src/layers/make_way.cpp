@@ -33,7 +33,7 @@ VertexH nearest_core(const SurfaceMesh& mesh, VertexH v, double reach,
 
 void clear_about(LayerState& state, const FrontNode& node, double length) {
   SurfaceMesh& mesh = state.mesh;
-  const double height = std::min(node.height, state.max_height);
+  const double height = std::min(node.growth.height, state.max_height);
   const double reach = std::max(length / std::sqrt(2.0), kHeights * height);
   std::vector<VertexH> refused;
   for (int k = 0; k < kMostPerVertex; ++k) {

@@ -13,25 +13,45 @@
 
 namespace advlayers {
 
-const char* step_name(Step step) {
-  static constexpr std::array<const char*, 9> kNames{"make-way", "redefine", "extrude",
-                                                     "recover",  "improve",  "combine",
-                                                     "smooth",   "collapse", "grow"};
-  return kNames[static_cast<std::size_t>(step)];
-}
+namespace {
 
-const char* stop_name(Stop stop) {
-  static constexpr std::array<const char*, kStopCount> kNames{
-      "layers-reached", "isotropic", "collision",         "closed",
-      "blocked",        "merged",    "neighbour-stopped", "surface-bends"};
-  return kNames[static_cast<std::size_t>(stop)];
-}
+struct LayerStep {
+  Step id;
+  const char* name;
+  void (*run)(LayerState& state, LayerPlan& plan);
+};
 
-const char* event_name(Event event) {
-  static constexpr std::array<const char*, kEventCount> kNames{
-      "collapse", "coarsen", "row-end", "close-triangle", "zip", "rung", "bridge", "fan"};
-  return kNames[static_cast<std::size_t>(event)];
-}
+// Algorithm 1, lines 8 to 17: what one layer takes, in this order. The front is collapsed in the
+// plan, before anything is inserted.
+constexpr std::array<LayerStep, 9> kLayerSteps{{
+    {Step::kMakeWay, "make-way",
+     [](LayerState& state, LayerPlan&) {
+       stop_before_bends(state);
+       make_way(state);
+     }},
+    {Step::kRedefine, "redefine",
+     [](LayerState& state, LayerPlan&) {
+       ChainEnds::join_facing(state);
+       close_front(state);
+     }},
+    {Step::kCollapse, "collapse",
+     [](LayerState& state, LayerPlan& plan) { plan = plan_layer(state); }},
+    {Step::kExtrude, "extrude", insert_kids},
+    {Step::kRecover, "recover", recover_cells},
+    {Step::kCombine, "combine", combine_cells},
+    {Step::kSmooth, "smooth",
+     [](LayerState& state, LayerPlan& plan) {
+       if (state.steps.smoothing) smooth_layer(state, plan);
+     }},
+    {Step::kImprove, "improve",
+     [](LayerState& state, LayerPlan&) { state.swaps.run(state.limits, state.report.vetoes); }},
+    {Step::kGrow, "grow", [](LayerState& state, LayerPlan& plan) { advance_front(state, plan); }},
+}};
+static_assert(in_order(kLayerSteps));
+
+}  // namespace
+
+const char* step_name(Step step) { return kLayerSteps[static_cast<std::size_t>(step)].name; }
 
 struct PatchLayers::Impl {
   LayerState state;
@@ -50,33 +70,13 @@ struct PatchLayers::Impl {
               ReconnectLimits{},
               SwapQueue(mesh)} {}
 
-  void done(Step step) const {
-    if (hook) hook(step, state.mesh);
-    state.context.check();
-  }
-
-  // Algorithm 1, lines 8 to 17. The front is collapsed in the plan, before anything is inserted.
   void advance_layer() {
-    stop_before_bends(state);
-    make_way(state);
-    done(Step::kMakeWay);
-    ChainEnds::join_facing(state);
-    close_front(state);
-    done(Step::kRedefine);
-    LayerPlan plan = plan_layer(state);
-    done(Step::kCollapse);
-    insert_kids(state, plan);
-    done(Step::kExtrude);
-    recover_cells(state, plan);
-    done(Step::kRecover);
-    combine_cells(state, plan);
-    done(Step::kCombine);
-    if (state.steps.smoothing) smooth_layer(state, plan);
-    done(Step::kSmooth);
-    state.swaps.run(state.limits, state.report.vetoes);
-    done(Step::kImprove);
-    advance_front(state, plan);
-    done(Step::kGrow);
+    LayerPlan plan;
+    for (const LayerStep& step : kLayerSteps) {
+      step.run(state, plan);
+      if (hook) hook(step.id, state.mesh);
+      state.context.check();
+    }
   }
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/named.h"
 #include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "layers/layer_steps.h"
@@ -19,15 +20,16 @@
 
 namespace advlayers {
 
+// In their order; the list with their names and functions is kLayerSteps in patch_layers.cpp.
 enum class Step : std::uint8_t {
   kMakeWay,
   kRedefine,
+  kCollapse,
   kExtrude,
   kRecover,
-  kImprove,
   kCombine,
   kSmooth,
-  kCollapse,
+  kImprove,
   kGrow
 };
 const char* step_name(Step step);
@@ -43,8 +45,15 @@ enum class Stop : std::uint8_t {
   kNeighbour,
   kBent
 };
-inline constexpr int kStopCount = 8;
-const char* stop_name(Stop stop);
+inline constexpr std::array<Named<Stop>, 8> kStops{{{Stop::kLayersReached, "layers-reached"},
+                                                    {Stop::kIsotropic, "isotropic"},
+                                                    {Stop::kCollision, "collision"},
+                                                    {Stop::kClosed, "closed"},
+                                                    {Stop::kBlocked, "blocked"},
+                                                    {Stop::kMerged, "merged"},
+                                                    {Stop::kNeighbour, "neighbour-stopped"},
+                                                    {Stop::kBent, "surface-bends"}}};
+static_assert(in_order(kStops));
 
 // Why the front lost edges; each names the triangles it cost.
 enum class Event : std::uint8_t {
@@ -57,8 +66,15 @@ enum class Event : std::uint8_t {
   kBridge,
   kFan
 };
-inline constexpr int kEventCount = 8;
-const char* event_name(Event event);
+inline constexpr std::array<Named<Event>, 8> kEvents{{{Event::kCollapse, "collapse"},
+                                                      {Event::kCoarsen, "coarsen"},
+                                                      {Event::kRowEnd, "row-end"},
+                                                      {Event::kCloseTriangle, "close-triangle"},
+                                                      {Event::kZip, "zip"},
+                                                      {Event::kRung, "rung"},
+                                                      {Event::kBridge, "bridge"},
+                                                      {Event::kFan, "fan"}}};
+static_assert(in_order(kEvents));
 
 // The end of one wall vertex's column.
 struct StopRecord {
@@ -72,9 +88,9 @@ struct LayerReport {
   int layer = 0;
   int front_vertices = 0;        // after the layer
   int quads = 0, triangles = 0;  // made in this layer
-  std::array<int, kVetoCount> vetoes{};
-  std::array<int, kEventCount> events{};
-  std::array<int, kStopCount> stops{};
+  std::array<int, kVetoes.size()> vetoes{};
+  std::array<int, kEvents.size()> events{};
+  std::array<int, kStops.size()> stops{};
 };
 
 class PatchLayers {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
+
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr int kFanLayers = 2;                // fan edges are exempt from collapse this long
 constexpr double kEndTurn = 50.0 * kDegree;  // of both nodes at the end of a strip
 constexpr double kLeastCellAngle = 4.0 * kDegree;
@@ -43,9 +44,7 @@ int PlanDraft::add_kid(int node, const SurfacePoint& point) {
   made.normal = state.surface.normal(point);
   made.parents = {node};
   made.origin = node;
-  made.height = parent.height * parent.growth;
-  made.growth = parent.growth;
-  made.layers_left = parent.layers_left - 1;
+  made.growth = parent.growth.next();
   made.root = parent.root;
   if (parent.fan_age >= 0 && parent.fan_age < kFanLayers) made.fan_age = parent.fan_age + 1;
   plan.kids.push_back(std::move(made));

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/ties.h"
 #include "mesh/triangle_measures.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 // The tangent of the smallest angle must gain this at a swap, or equal diagonals would swap for
 // ever.
 constexpr double kSwapGain = 1e-6;

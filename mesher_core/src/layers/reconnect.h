@@ -10,8 +10,10 @@
 
 namespace advlayers {
 
-using VetoTally = std::array<int, kVetoCount>;
-inline void count(VetoTally& tally, Veto veto) { ++tally[static_cast<std::size_t>(veto)]; }
+using VetoTally = std::array<int, kVetoes.size()>;
+inline void count(VetoTally& tally, Veto veto) {
+  if (veto != Veto::kNone) ++tally[static_cast<std::size_t>(veto)];
+}
 
 // Thresholds of the paper, II.D and II.F.
 struct ReconnectLimits {

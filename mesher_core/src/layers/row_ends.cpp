@@ -5,12 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "base/angles.h"
+
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-// A row end (three nodes, one kid) takes interior angles up to this; wider ones turn too little.
-constexpr double kRowEndAngle = 135.0 * kDegree;
 constexpr double kLeastRowEndAngle = 30.0 * kDegree;
 constexpr double kNeighbourTurn = 40.0 * kDegree;  // beside a corner the front is nearly straight
 constexpr double kRowEndHeights = 2.5;             // its quad is no higher than this many heights
@@ -32,11 +31,11 @@ class RowEnder {
     if (!draft_.advances(a) || draft_.front[a].prev < 0 || draft_.front[a].next < 0) return false;
     if (!draft_.kids_of(a).empty()) return false;
     const NodeShape& s = draft_.shape(a);
-    if (s.angle > kRowEndAngle) return false;
+    if (corner_class(s.angle) > CornerClass::kEnd) return false;
     const double height = draft_.height(a);
     if (std::max(s.length_next, s.length_prev) > kRowEndHeights * height) return false;
     const double eaten = height / std::tan(0.5 * s.angle);
-    return s.shorter() - eaten <= 1.1 * draft_.front[a].growth * height;
+    return s.shorter() - eaten <= 1.1 * draft_.front[a].growth.ratio * height;
   }
   // Is the node beside a row end free, and the front nearly straight there.
   bool runs_straight(int k) const {
@@ -95,15 +94,15 @@ class RowEnder {
     const int kid = draft_.add_kid(parents[first], point);
     draft_.kid(kid).parents = parents;
     double height = 0.0;
-    int& layers_left = draft_.kid(kid).layers_left;
+    Growth& shared = draft_.kid(kid).growth;
     for (std::size_t k = 0; k < parents.size(); ++k) {
-      const FrontNode& parent = draft_.front[parents[k]];
-      height += parent.height * parent.growth / static_cast<double>(parents.size());
-      layers_left = std::min(layers_left, parent.layers_left - 1);
+      const Growth next = draft_.front[parents[k]].growth.next();
+      height += next.height / static_cast<double>(parents.size());
+      shared.layers_left = std::min(shared.layers_left, next.layers_left);
       draft_.kids_of(parents[k]) = {kid};
       if (k != first) draft_.state.note_stop(parents[k], Stop::kMerged);
     }
-    draft_.kid(kid).height = height;
+    shared.height = height;
     for (const int a : corners) {
       draft_.kids_of(a) = {kid};
       draft_.state.note_stop(a, Stop::kClosed);

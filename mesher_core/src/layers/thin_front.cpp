@@ -5,12 +5,12 @@
 #include <cmath>
 #include <vector>
 
+#include "base/angles.h"
 #include "base/ties.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kCollapseLength = 2.0 * 0.41421356237309503;  // 2 tan(pi / 8), paper II.F
 // Three front edges become one where their kids' edges are on average shorter than this many
 // heights.
@@ -183,9 +183,7 @@ class Merger {
       kept.normal = draft_.state.surface.normal(mean);
     }
     kept.parents.push_back(k);
-    kept.height = 0.5 * (kept.height + gone.height);
-    kept.growth = 0.5 * (kept.growth + gone.growth);
-    kept.layers_left = std::min(kept.layers_left, gone.layers_left);
+    kept.growth = kept.growth.met_by(gone.growth);
     gone.alive = false;
     kids_k = kids_i;
     draft_.state.note_stop(k, Stop::kMerged);

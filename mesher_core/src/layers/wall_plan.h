@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/types.h"
+#include "layers/growth.h"
 #include "sizing/wall_spacing.h"
 
 namespace advlayers {
@@ -14,9 +15,7 @@ enum class EdgeCondition : std::uint8_t { kOff, kWall, kMatch };
 
 struct EdgePlan {
   EdgeCondition condition = EdgeCondition::kOff;
-  double first_height = 0.0;  // [mm]
-  double growth = 1.0;
-  int layers = kUntilClosed;
+  Growth growth{};
   HeightRule rule{};
   // Where the rule makes the first height vary: that at each node of the edge [mm].
   std::unordered_map<NodeId, double> heights{};
@@ -24,7 +23,10 @@ struct EdgePlan {
 
   double height_at(NodeId node) const {
     const auto found = heights.find(node);
-    return found == heights.end() ? first_height : found->second;
+    return found == heights.end() ? growth.height : found->second;
+  }
+  Growth growth_at(NodeId node) const {
+    return {height_at(node), growth.ratio, growth.layers_left};
   }
 };
 

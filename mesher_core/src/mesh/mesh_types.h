@@ -1,6 +1,9 @@
 // Handles and per-entity data of the surface mesh.
 #pragma once
 
+#include <array>
+
+#include "base/named.h"
 #include "base/types.h"
 
 namespace advlayers {
@@ -28,7 +31,6 @@ struct FaceData {
 // Why a local operation was refused. Topological reasons come from mesh/, geometric ones from
 // above.
 enum class Veto : std::uint8_t {
-  kNone,
   kBorder,         // the edge has no face on one side
   kFrozen,         // front, parent-kid, or CAD boundary edge
   kNotTriangles,   // a face beside the edge is a quad
@@ -40,8 +42,19 @@ enum class Veto : std::uint8_t {
   kLeavesSurface,  // a triangle would deviate too far from the surface
   kTooSharp,       // two neighbours would fold past the dihedral bound
   kAreaRatio,      // triangles of too different areas would result
+  kNone,           // it was not
 };
-inline constexpr int kVetoCount = 12;
-const char* veto_name(Veto veto);
+inline constexpr std::array<Named<Veto>, 11> kVetoes{{{Veto::kBorder, "border"},
+                                                      {Veto::kFrozen, "frozen"},
+                                                      {Veto::kNotTriangles, "not-triangles"},
+                                                      {Veto::kEdgeExists, "edge-exists"},
+                                                      {Veto::kLink, "link"},
+                                                      {Veto::kFixedVertex, "fixed-vertex"},
+                                                      {Veto::kInverts, "inverts"},
+                                                      {Veto::kLowersQuality, "lowers-quality"},
+                                                      {Veto::kLeavesSurface, "leaves-surface"},
+                                                      {Veto::kTooSharp, "too-sharp"},
+                                                      {Veto::kAreaRatio, "area-ratio"}}};
+static_assert(in_order(kVetoes));
 
 }  // namespace advlayers

@@ -4,13 +4,6 @@
 
 namespace advlayers {
 
-const char* veto_name(Veto veto) {
-  static constexpr std::array<const char*, kVetoCount> kNames{
-      "none",         "border",  "frozen",         "not-triangles",  "edge-exists", "link",
-      "fixed-vertex", "inverts", "lowers-quality", "leaves-surface", "too-sharp",   "area-ratio"};
-  return kNames[static_cast<std::size_t>(veto)];
-}
-
 VertexH SurfaceMesh::add_vertex(const VertexData& data) {
   const VertexH v(vertex_out_.size());
   vertex_out_.emplace_back();

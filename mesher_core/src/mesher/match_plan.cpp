@@ -3,15 +3,12 @@
 #include <cmath>
 #include <map>
 
+#include "base/angles.h"
 #include "geometry/face_corners.h"
+#include "layers/corner_class.h"
 
 namespace advlayers {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
-// Layers do not run along an edge that is more slant than this.
-constexpr double kLeastAngle = 45.0 * kDegree;
-constexpr double kLargestAngle = 135.0 * kDegree;
 
 class MatchPlanner {
  public:
@@ -63,7 +60,7 @@ class MatchPlanner {
   void add(const FaceCorner& corner, CornerSide wall, const EdgePlan& plan, CornerSide along,
            const EdgePlan& other) {
     if (other.condition != EdgeCondition::kMatch) return;
-    if (corner.angle < kLeastAngle || corner.angle > kLargestAngle) {
+    if (!layers_run_along(corner.angle)) {
       note(corner, wall.edge, along.edge);
       return;
     }
@@ -73,7 +70,7 @@ class MatchPlanner {
     end.wall = wall.edge;
     end.wall_end = wall.end;
     end.face = corner.face;
-    end.spacing = {plan.first_height, plan.growth, plan.layers, plan.rule};
+    end.spacing = {plan.growth.height, plan.growth.ratio, plan.growth.layers_left, plan.rule};
     end.sine = std::sin(corner.angle);
     end.stop_at_isotropy = walls_.stop_at_isotropy;
     end.max_height = walls_.max_height;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "measure/element_measures.h"
 #include "mend/inversion.h"
 #include "sizing/gap_rule.h"
@@ -12,7 +13,6 @@
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kLeastAngle = 20.0, kLargestAngle = 160.0;  // [deg] of an element
 constexpr double kNarrow = 2.0;                              // at most so many sizes
 constexpr double kWidest = 1.1;                              // step across, of the size

@@ -23,11 +23,12 @@
 namespace advlayers {
 namespace {
 
-template <std::size_t kCount, class Kind>
-void add_named(const std::array<int, kCount>& counts, const char* (*name)(Kind),
+template <class Id, std::size_t kCount>
+void add_named(const std::array<int, kCount>& counts, const std::array<Named<Id>, kCount>& names,
                std::map<std::string, int>& total) {
-  for (std::size_t k = 0; k < kCount; ++k) {
-    if (counts[k] > 0) total[name(static_cast<Kind>(k))] += counts[k];
+  for (const auto& [id, name] : names) {
+    const int count = counts[static_cast<std::size_t>(id)];
+    if (count > 0) total[name] += count;
   }
 }
 
@@ -153,8 +154,8 @@ std::optional<LayerReport> PatchJob::advance(const RunContext& context) {
              report.has_value();
   if (!growing_) return std::nullopt;
   report_.layers = report->layer;
-  add_named(report->vetoes, veto_name, report_.vetoes);
-  add_named(report->events, event_name, report_.events);
+  add_named(report->vetoes, kVetoes, report_.vetoes);
+  add_named(report->events, kEvents, report_.events);
   return report;
 }
 

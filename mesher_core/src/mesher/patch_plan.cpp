@@ -31,7 +31,8 @@ EdgeSet boundary_edges(Evaluator& evaluator, const Settings& settings,
 
 EdgePlan wall_by(const WallSpec& spec, const Settings& settings) {
   const WallSpacing spacing = spacing_of(spec, settings);
-  return {EdgeCondition::kWall, spacing.first_height, spacing.growth, spacing.layers, spacing.rule};
+  return {
+      EdgeCondition::kWall, {spacing.first_height, spacing.growth, spacing.layers}, spacing.rule};
 }
 
 bool contains(const std::vector<FaceId>& faces, FaceId face) {
@@ -155,7 +156,8 @@ void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallP
       total += lengths.back();
     }
     const bool closed = cut.nodes.front() == cut.nodes.back();
-    const WallSpacing spacing{plan.first_height, plan.growth, plan.layers, plan.rule};
+    const WallSpacing spacing{plan.growth.height, plan.growth.ratio, plan.growth.layers_left,
+                              plan.rule};
     double walked = 0.0;
     for (std::size_t k = 0; k < cut.nodes.size(); ++k) {
       const double before = k > 0 ? lengths[k - 1] : closed ? lengths.back() : lengths.front();

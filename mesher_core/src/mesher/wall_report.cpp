@@ -141,7 +141,7 @@ Vec3 top_of(const SurfaceMesh& mesh, const Columns& columns, VertexH root) {
 
 void keep_first(const SurfaceMesh& mesh, const Columns& columns, const StopRecord& record,
                 WallReport& report) {
-  const auto [place, fresh] = report.first_stops.try_emplace(stop_name(record.reason));
+  const auto [place, fresh] = report.first_stops.try_emplace(name_in(kStops, record.reason));
   if (!fresh && place->second.layer <= record.layer) return;
   place->second = {top_of(mesh, columns, record.root), record.layer};
 }
@@ -153,7 +153,7 @@ void count_layers(const SurfaceMesh& mesh, const Columns& columns, const Stops& 
   for (const VertexH root : roots) {
     bool stopped = false;
     stops.visit(root, [&](const StopRecord& record) {
-      ++report.stops[stop_name(record.reason)];
+      ++report.stops[name_in(kStops, record.reason)];
       keep_first(mesh, columns, record, report);
       stopped = true;
       longest = std::max(longest, record.layer - 1);
@@ -208,14 +208,15 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
     WallReport report;
     const EdgePlan& asked = plan.edges.at(edge);
     report.edge = edge;
-    report.first_height = asked.first_height;
+    report.first_height = asked.growth.height;
     report.first_heights = asked.heights_along;
-    report.growth = asked.growth;
-    report.until_isotropic = plan.stop_at_isotropy && asked.layers == kUntilClosed;
-    report.requested_layers = asked.layers == kUntilClosed ? 0 : asked.layers;
+    report.growth = asked.growth.ratio;
+    const bool until_closed = asked.growth.layers_left == kUntilClosed;
+    report.until_isotropic = plan.stop_at_isotropy && until_closed;
+    report.requested_layers = until_closed ? 0 : asked.growth.layers_left;
     summarize(wall.samples, report);
     if (report.requested_layers > 0) {
-      report.thickness = thickness_of(report.first_height, asked.growth, asked.layers);
+      report.thickness = thickness_of(report.first_height, report.growth, report.requested_layers);
     }
     count_layers(mesh, columns, stops_by_root, wall.roots, layers_made, report);
     reports.push_back(std::move(report));

@@ -5,13 +5,13 @@
 #include <map>
 #include <set>
 
+#include "base/angles.h"
 #include "geometry/model.h"
 #include "triangulate/triangle_score.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 // Within these of the corners' normals, the normal at the projected centroid need not be asked for.
 const double kSurelyNear = std::cos(15 * kDegree);
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/angles.h"
 #include "base/directions.h"
 
 namespace advlayers {
@@ -13,7 +14,6 @@ namespace {
 
 using Side = PlanarTriangulation::Side;
 
-constexpr double kDegree = M_PI / 180;
 constexpr double kLeastTurn = 60 * kDegree;  // of the normal along an edge over a fold
 // The fold takes this part of the turn, and does so within this part of the least length asked for.
 constexpr double kMostOfTurn = 0.6;

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <queue>
 
+#include "base/angles.h"
 #include "base/ties.h"
 #include "triangulate/crease_splits.h"
 #include "triangulate/initial_points.h"
@@ -17,7 +18,6 @@ namespace {
 
 using Side = PlanarTriangulation::Side;
 
-constexpr double kDegree = M_PI / 180;
 // A triangle is done once its circumradius is at most this much of the equilateral one's.
 constexpr double kRadiusLimit = 1.3;
 // An edge whose length at the mean of its ends' metrics and at its middle's differ by this share is

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/ties.h"
 #include "triangulate/surface_ops.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 // Moves that leave all angles above this need no gain.
 const double kGoodScore = score_of_angle(38 * kDegree);
 // Triangles below this are mended one by one.

@@ -1,4 +1,5 @@
 #include "layers/front.h"
+#include "base/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 
 namespace advlayers::test {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 int node_at(const Front& front, VertexH v) {
   for (int i = 0; i < front.size(); ++i) {
@@ -77,14 +76,14 @@ TEST(Front, IsAChainWhereOneSideIsAWall) {
 TEST(Front, TakesTheMeanHeightAndTheFewerLayersBetweenTwoWalls) {
   const SurfaceMesh mesh = walled_grid(2, 2);
   WallPlan plan = walls_on({0, 1});
-  plan.edges[EdgeId(0)].layers = 7;
-  plan.edges[EdgeId(1)].layers = 4;
-  plan.edges[EdgeId(1)].first_height = 0.3;
+  plan.edges[EdgeId(0)].growth.layers_left = 7;
+  plan.edges[EdgeId(1)].growth.layers_left = 4;
+  plan.edges[EdgeId(1)].growth.height = 0.3;
   const Front front(mesh, plan);
   const FrontNode& corner = front[node_at(front, at(2, 2, 0))];
-  EXPECT_NEAR(corner.height, 0.2, 1e-15);
-  EXPECT_EQ(corner.layers_left, 4);
-  EXPECT_EQ(front[node_at(front, at(2, 1, 0))].layers_left, 7);
+  EXPECT_NEAR(corner.growth.height, 0.2, 1e-15);
+  EXPECT_EQ(corner.growth.layers_left, 4);
+  EXPECT_EQ(front[node_at(front, at(2, 1, 0))].growth.layers_left, 7);
 }
 
 TEST(Front, BridgeTakesTheRunBetweenOut) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/angles.h"
 #include "base/directions.h"
 #include "layers/layer_run.h"
 #include "layers/layer_shapes.h"
@@ -11,8 +12,6 @@
 
 namespace advlayers::test {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 // Border vertices in a row around one loop, the patch on the left.
 std::vector<std::vector<VertexH>> loops_of(const SurfaceMesh& mesh) {

@@ -32,8 +32,8 @@ class LayerRun {
     mesh = triangulate(context, surface, evaluator, boundary, settings).mesh;
     for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
       if (mesh.alive(HalfedgeH(i)) && mesh.is_border(HalfedgeH(i))) {
-        walls.edges[mesh.curve(HalfedgeH(i))] = {EdgeCondition::kWall, sizes.first_height,
-                                                 sizes.growth, std::numeric_limits<int>::max()};
+        walls.edges[mesh.curve(HalfedgeH(i))] = {EdgeCondition::kWall,
+                                                 {sizes.first_height, sizes.growth}};
       }
     }
   }

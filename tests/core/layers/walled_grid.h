@@ -27,8 +27,8 @@ inline WallPlan walls_on(std::initializer_list<int> sides, double first_height =
   for (const int side : sides) {
     EdgePlan& edge = plan.edges[EdgeId(side)];
     edge.condition = EdgeCondition::kWall;
-    edge.first_height = first_height;
-    edge.growth = 1.2;
+    edge.growth.height = first_height;
+    edge.growth.ratio = 1.2;
   }
   return plan;
 }

@@ -46,9 +46,9 @@ TEST_F(BoxWalls, ListedWallsMakeTheirNeighboursMatchAndTheRestOff) {
   settings.walls.push_back({{edge(0)}, {}, 0.2, std::nullopt, 4});
   const WallPlan walls = plan();
   EXPECT_EQ(walls.edges.at(edge(0)).condition, EdgeCondition::kWall);
-  EXPECT_EQ(walls.edges.at(edge(0)).first_height, 0.2);
-  EXPECT_EQ(walls.edges.at(edge(0)).growth, 1.3);
-  EXPECT_EQ(walls.edges.at(edge(0)).layers, 4);
+  EXPECT_EQ(walls.edges.at(edge(0)).growth.height, 0.2);
+  EXPECT_EQ(walls.edges.at(edge(0)).growth.ratio, 1.3);
+  EXPECT_EQ(walls.edges.at(edge(0)).growth.layers_left, 4);
   EXPECT_EQ(walls.edges.at(edge(1)).condition, EdgeCondition::kMatch);
   EXPECT_EQ(walls.edges.at(edge(2)).condition, EdgeCondition::kOff);
   EXPECT_EQ(walls.edges.at(edge(3)).condition, EdgeCondition::kMatch);

@@ -9,13 +9,12 @@
 #include <set>
 #include <vector>
 
+#include "base/angles.h"
 #include "geometry/patch_edges.h"
 #include "mesh/validate.h"
 #include "triangulate/triangulate.h"
 
 namespace advlayers::test {
-
-constexpr double kDegree = M_PI / 180;
 
 struct Corners {
   std::array<VertexH, 3> v;
