@@ -38,7 +38,8 @@ constexpr std::array<LayerStep, 9> kLayerSteps{{
      [](LayerState& state, LayerPlan& plan) { plan = plan_layer(state); }},
     {Step::kExtrude, "extrude", insert_kids},
     {Step::kRecover, "recover", recover_cells},
-    {Step::kCombine, "combine", combine_cells},
+    {Step::kCombine, "combine",
+     [](LayerState& state, LayerPlan& plan) { combine_cells(state, plan); }},
     {Step::kSmooth, "smooth",
      [](LayerState& state, LayerPlan& plan) {
        if (state.steps.smoothing) smooth_layer(state, plan);

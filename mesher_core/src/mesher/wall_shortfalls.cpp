@@ -17,7 +17,7 @@ constexpr double kHeightTolerance = 0.1;
 Sentence reasons_of(const WallReport& wall) {
   Sentence all;
   for (const auto& [reason, count] : wall.stops) {
-    if (reason == stop_name(Stop::kLayersReached)) continue;
+    if (reason == name_in(kStops, Stop::kLayersReached)) continue;
     const Sentence one("{} ({})", reason, count);
     all = all.empty() ? one : Sentence("{}, {}", all, one);
   }
