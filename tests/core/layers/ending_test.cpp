@@ -88,7 +88,7 @@ TEST(Closing, EveryWallVertexHasAReason) {
 TEST(Limits, NoMoreLayersThanAsked) {
   for (const int layers : {1, 3}) {
     LayerRun run(cylinder_side(3, 8));
-    for (auto& [edge, plan] : run.walls.edges) plan.layers = layers;
+    for (auto& [edge, plan] : run.walls.edges) plan.growth.layers_left = layers;
     run.grow();
     int highest = 0;
     for (std::size_t i = 0; i < run.mesh.vertex_capacity(); ++i) {
@@ -104,7 +104,7 @@ TEST(Limits, NoMoreLayersThanAsked) {
 
 TEST(Limits, ZeroLayersLeaveTriangles) {
   LayerRun run(rectangle(6, 6));
-  for (auto& [edge, plan] : run.walls.edges) plan.layers = 0;
+  for (auto& [edge, plan] : run.walls.edges) plan.growth.layers_left = 0;
   run.grow();
   EXPECT_EQ(elements_of(run.mesh).quads, 0);
   EXPECT_EQ(find_connectivity_fault(run.mesh), "");

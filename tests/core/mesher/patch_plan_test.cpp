@@ -35,9 +35,9 @@ TEST_F(BoxWalls, GrowFromEveryBoundaryEdgeByDefault) {
   EXPECT_EQ(walls.edges.size(), 4u);
   for (const auto& [id, wall] : walls.edges) {
     EXPECT_EQ(wall.condition, EdgeCondition::kWall) << edge_name(id);
-    EXPECT_EQ(wall.first_height, 0.1);
-    EXPECT_EQ(wall.growth, 1.3);
-    EXPECT_EQ(wall.layers, std::numeric_limits<int>::max());
+    EXPECT_EQ(wall.growth.height, 0.1);
+    EXPECT_EQ(wall.growth.ratio, 1.3);
+    EXPECT_EQ(wall.growth.layers_left, std::numeric_limits<int>::max());
   }
 }
 
