@@ -22,12 +22,18 @@ constexpr double kCoarsenTurn = 25.0 * kDegree;
 constexpr double kBentEdge = 0.8660254037844387;  // cosine of 30 degrees
 constexpr double kVanishingLength = 0.25;         // in heights
 constexpr double kTreadHeight = 0.42;  // of the inner kids, in heights: evens the angles out
+// While heights matter most, edges are thinned only where the front itself drives the kids
+// together: where these lie nearer to each other than this share of their parents' distance, as
+// beside a concave corner. An edge that was short from the wall on keeps its column, and the row
+// its height.
+constexpr double kDrivenTogether = 0.5;
 
 class Coarsener {
  public:
   explicit Coarsener(PlanDraft& draft) : draft_(draft) {}
 
   void run() {
+    if (draft_.state.layer <= kStraightLayers) return;
     for (int i = 0; i < draft_.front.size(); ++i) try_coarsen(i);
   }
 
@@ -128,7 +134,11 @@ class Merger {
       const double height = 0.5 * (draft_.height(i) + draft_.height(k));
       const bool fan = draft_.kid(p).fan_age >= 0 && draft_.kid(q).fan_age >= 0;
       double limit = fan || draft_.is_strip_end(i, k) ? 0.2 : kCollapseLength;
-      if (bent_by_merging(i, k)) limit = std::min(limit, kVanishingLength);
+      const double apart = (draft_.position(k) - draft_.position(i)).norm();
+      const bool early = draft_.state.layer <= kStraightLayers;
+      if ((early && forward > kDrivenTogether * apart) || bent_by_merging(i, k)) {
+        limit = std::min(limit, kVanishingLength);
+      }
       if (forward < limit * height) pairs.push_back({settled(forward), i});
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {

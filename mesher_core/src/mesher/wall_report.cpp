@@ -57,6 +57,13 @@ struct Sample {
   int regularity = 0;   // 0: a corner; 1: the wall is straight here; 2: and two edges around
 };
 
+// A corner's column runs along its bisector: what of it stands square to the wall, per length.
+double square_to_wall(const SurfaceMesh& mesh, HalfedgeH border, VertexH kid) {
+  const Vec3 foot = mesh.position(mesh.from(border));
+  const Vec3 along = (mesh.position(mesh.to(border)) - foot).normalized();
+  return (mesh.position(kid) - foot).normalized().cross(along).norm();
+}
+
 Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Columns& columns,
                       HalfedgeH border) {
   Sample sample;
@@ -75,6 +82,10 @@ Sample measure_column(const SurfaceMesh& mesh, PatchSurface& surface, const Colu
     if (top == kid) sample.second = height;
     sample.whole += height;
     top = next;
+  }
+  if (sample.regularity == 0) {
+    const double square = square_to_wall(mesh, border, kid);
+    for (double* height : {&sample.first, &sample.second, &sample.whole}) *height *= square;
   }
   return sample;
 }
