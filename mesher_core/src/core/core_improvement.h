@@ -1,6 +1,5 @@
-// Improves the triangles that no layer has reached, once the layers have stopped: flips for the
-// larger minimum angle (paper, II.D), splits and collapses towards a size graded from the edges
-// around the core, tangential smoothing with projection.
+// Improves the triangles that no layer has reached, once the layers have stopped: splits of edges
+// across bends, flips for the larger minimum angle (paper, II.D), tangential smoothing.
 // Fronts, parent-kid edges and the CAD's boundary stay as they are.
 #pragma once
 

@@ -7,7 +7,7 @@
 
 namespace advlayers {
 
-// Splits core edges whose ends' normals differ by more than 40 degrees, at their projected
+// Splits core edges whose ends' normals differ by more than 32 degrees, at their projected
 // midpoints, until none is left that a split helps: fronts that meet around a tight bend leave
 // triangles that cut through the shape. Returns the number of splits. Throws Cancelled.
 int split_bent_edges(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface);

@@ -90,7 +90,10 @@ std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings&
   std::vector<FaceId> leader(model.faces().size());  // of the face's patch: its first face
   for (const FaceId face : faces) leader[face.index()] = face;
   const auto leader_of = [&leader](FaceId face) {
-    while (leader[face.index()] != face) face = leader[face.index()];
+    while (leader[face.index()] != face) {
+      leader[face.index()] = leader[leader[face.index()].index()];  // shorter for the next one
+      face = leader[face.index()];
+    }
     return face;
   };
   Evaluator evaluator(model);
