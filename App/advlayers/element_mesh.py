@@ -42,13 +42,14 @@ def of_core(mesh) -> ElementMesh:
                        mesh.edge_segments)
 
 
-def of_fem(fem) -> ElementMesh:
-    """Of a Fem.FemMesh that this add-on made; its groups tell layers, faces and edges."""
-    return finish(reading(fem))
+def of_object(mesh_object) -> ElementMesh:
+    """Of a mesh object of this add-on; the groups of its mesh tell faces and edges."""
+    return finish(reading(mesh_object))
 
 
-def reading(fem) -> Generator[None, None, ElementMesh]:
-    """of_fem() in steps of some 20 ms; a mesh of 100 000 nodes takes one longer step."""
+def reading(mesh_object) -> Generator[None, None, ElementMesh]:
+    """of_object() in steps of some 20 ms; a mesh of 100 000 nodes takes one longer step."""
+    fem = mesh_object.FemMesh
     nodes = fem.Nodes
     ids = np.fromiter(nodes.keys(), np.int64, len(nodes))
     index = np.zeros(int(ids.max(initial=0)) + 1, np.int64)
@@ -64,6 +65,7 @@ def reading(fem) -> Generator[None, None, ElementMesh]:
     quads = _corners([cell for cell in cells if len(cell) == 4], 4)
     triangles = _corners([cell for cell in cells if len(cell) == 3], 3)
     yield
+    # The layers are groups where that was asked for, and in meshes of older versions.
     numbers = {"Layer": np.zeros(len(cells), np.int32), "Face": np.zeros(len(cells), np.int32)}
     edge_nodes = {}
     for group in fem.Groups:
@@ -77,8 +79,11 @@ def reading(fem) -> Generator[None, None, ElementMesh]:
         else:
             numbers[kind][members - 1] = number
         yield
-    return ElementMesh(points.reshape(-1, 3), index[quads], index[triangles],
-                       numbers["Layer"], numbers["Face"], edge_nodes)
+    layers = numbers["Layer"]
+    if len(mesh_object.ElementLayers) == len(layers):
+        layers = np.array(mesh_object.ElementLayers, np.int32)
+    return ElementMesh(points.reshape(-1, 3), index[quads], index[triangles], layers,
+                       numbers["Face"], edge_nodes)
 
 
 def finish(steps: Generator[None, None, _Result]) -> _Result:

@@ -1,26 +1,36 @@
-"""The formats a mesh can be written in, and writing them so that nothing half-written remains."""
+"""The formats a mesh can be written in, what each can carry, and the one call that writes."""
 from __future__ import annotations
 
 import errno
 import importlib.util
 import os
-from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Sequence, Tuple
+import zipfile
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, FrozenSet, Mapping, Optional, Sequence
 
 from advlayers.errors import InputError
-from advlayers.mesh_groups import Group, face_of_element, layer_of_element
-from advlayers.unv_file import write_unv
-from advlayers.vtu_file import write_vtu
+from advlayers.formats import (
+    bdf, cgns, inp, med, medit, mesh_parts, msh, obj, ply, stl, su2, ugrid, unv, vtk, vtu)
+from advlayers.formats.mesh_parts import MeshParts
 
 
 @dataclass
 class Product:
-    """All that a writer may need: the mesh, its groups, and FreeCAD's document, if any."""
+    """All that a writer may need: the mesh, what was asked of files, and FreeCAD's document, if
+    there is one."""
 
-    mesh: Any
-    groups: Sequence[Group]
+    parts: MeshParts
+    options: Mapping[str, Any] = field(default_factory=dict)  # of EXPORT_SETTINGS
     document: Any = None  # FreeCAD document with the shape and the mesh object
-    fem_mesh: Any = None
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a mesh is to have, as far as some formats lack it; known before there is a mesh."""
+
+    groups: Mapping[str, Sequence[str]]
+    order: int = 1
+    volume: bool = False
 
 
 @dataclass(frozen=True)
@@ -28,61 +38,104 @@ class Format:
     title: str  # in the file dialog
     write: Callable[[str, Product], None]
     keeps: str  # for the reference page
-    needs: str = ""  # "FreeCAD", "meshio" or nothing
+    loses: str = ""
+    kinds: FrozenSet[str] = frozenset(mesh_parts.KINDS)
+    edges: bool = True  # it has the groups of edges
+    one_name: bool = False  # each element has one name: that of its group, or of its CAD face
+    needs: str = ""  # "FreeCAD", a Python package or nothing
 
 
-def _write_unv(path: str, product: Product) -> None:
-    write_unv(path, product.mesh, product.groups)
+def _plain(write: Callable[[str, MeshParts], None]) -> Callable[[str, Product], None]:
+    return lambda path, product: write(path, product.parts)
 
 
-def _write_vtu(path: str, product: Product) -> None:
-    write_vtu(path, product.mesh)
+def _write_msh(path: str, product: Product) -> None:
+    msh.write(path, product.parts, product.options.get("msh_version", msh.VERSIONS[0]))
+
+
+def _write_inp(path: str, product: Product) -> None:
+    inp.write(path, product.parts, product.options.get("inp_elements", "shell"))
 
 
 def _write_document(path: str, product: Product) -> None:
     product.document.saveCopy(path)
+    # FreeCAD says nothing when the disk is full.
+    if not zipfile.is_zipfile(path) or zipfile.ZipFile(path).testzip() is not None:
+        raise OSError(errno.EIO, "it was not written whole", path)
 
 
-def _write_fem_mesh(path: str, product: Product) -> None:
-    product.fem_mesh.write(path)
-
-
-def _write_meshio(path: str, product: Product) -> None:
-    import meshio
-
-    mesh = product.mesh
-    quads = len(mesh.quads)
-    cells = [(kind, part) for kind, part in
-             (("quad", mesh.quads), ("triangle", mesh.triangles)) if len(part)]
-    arrays = {}
-    if path.lower().endswith(".vtk"):
-        for name, values in (("face", face_of_element(mesh)), ("layer", layer_of_element(mesh))):
-            arrays[name] = [part for part in (values[:quads], values[quads:]) if len(part)]
-    meshio.Mesh(mesh.nodes, cells, cell_data=arrays).write(path)
-
-
-# Only formats whose quads, triangles and coordinates come back when the file is read again; the
-# tests check each.
+# The tests read each with programs that have nothing to do with this one.
 FORMATS: Dict[str, Format] = {
-    ".vtu": Format("VTK unstructured grid", _write_vtu,
-                   "cell arrays face and layer, node arrays layer and parent; exact"),
-    ".unv": Format("I-DEAS universal", _write_unv, "all groups; exact"),
-    ".fcstd": Format("FreeCAD document", _write_document,
-                     "the shape and the mesh object with all groups and settings",
-                     "FreeCAD"),
-    ".med": Format("Salome MED", _write_fem_mesh, "all groups; exact", "FreeCAD"),
-    ".vtk": Format("VTK legacy", _write_meshio, "cell arrays face and layer; exact", "meshio"),
-    ".msh": Format("Gmsh", _write_meshio, "nodes and elements (gmsh 4.1); exact", "meshio"),
-    ".inp": Format("Abaqus", _write_meshio, "nodes and elements (Abaqus); exact", "meshio"),
-    ".bdf": Format("Nastran", _write_meshio, "nodes and elements (Nastran); 12 digits", "meshio"),
-    ".mesh": Format("Medit", _write_meshio, "nodes and elements (Medit); exact", "meshio"),
-    ".ply": Format("Stanford polygons", _write_meshio, "nodes and elements; exact", "meshio"),
-    ".obj": Format("Wavefront", _write_meshio, "nodes and elements; exact", "meshio"),
+    ".vtu": Format(
+        "VTK unstructured grid", _plain(vtu.write),
+        "cell arrays face, layer, edge, solid and group with the field group_names; node arrays "
+        "layer and parent; exact", "lines of edges without a group", vtu.KINDS),
+    ".vtk": Format(
+        "VTK legacy", _plain(vtk.write),
+        "the arrays of .vtu; names of groups in the title; exact",
+        "lines of edges without a group", vtk.KINDS),
+    ".msh": Format(
+        "Gmsh", _write_msh,
+        "FaceN, EdgeN and groups as physical names, entities numbered as the CAD; exact",
+        "blanks in names; in version 2.2 all groups of a face but the first", msh.KINDS),
+    ".inp": Format(
+        "Abaqus", _write_inp,
+        "FaceN, EdgeN and groups as ELSET and NSET, groups also as SURFACE; 16 to 17 digits",
+        "signs in names but letters, digits, _ . -", inp.KINDS),
+    ".bdf": Format(
+        "Nastran", _plain(bdf.write),
+        "a property per face with its name as a comment, EdgeN and groups as SET1; 11 to 14 digits",
+        "", bdf.KINDS),
+    ".unv": Format(
+        "I-DEAS universal", _plain(unv.write), "FaceN, EdgeN and groups as groups; exact",
+        "with a volume, all groups of a face but the first, which OpenFOAM cannot read", unv.KINDS),
+    ".med": Format(
+        "Salome MED", _plain(med.write), "FaceN, EdgeN and groups as groups; exact", "",
+        med.KINDS, needs="h5py"),
+    ".cgns": Format(
+        "CGNS", _plain(cgns.write),
+        "FaceN, EdgeN and groups as families, boundary conditions and regions; the unit; exact",
+        "lines within a face", cgns.KINDS, one_name=True, needs="h5py"),
+    ".su2": Format(
+        "SU2", _plain(su2.write), "EdgeN and groups of the border as markers; exact",
+        "names of faces of a plane domain; surfaces that are not plane", su2.KINDS, one_name=True),
+    ".ugrid": Format(
+        "UGRID", _plain(ugrid.write), "FaceN and groups as surfaces, their names in .mapbc; exact",
+        "edges", ugrid.KINDS, edges=False, one_name=True),
+    ".b8.ugrid": Format(
+        "UGRID, big-endian", _plain(ugrid.write), "as .ugrid", "edges", ugrid.KINDS, edges=False,
+        one_name=True),
+    ".lb8.ugrid": Format(
+        "UGRID, little-endian", _plain(ugrid.write), "as .ugrid", "edges", ugrid.KINDS,
+        edges=False, one_name=True),
+    ".mesh": Format(
+        "Medit", _plain(medit.write), "numbers of faces and edges as references; exact",
+        "names", medit.KINDS),
+    ".obj": Format(
+        "Wavefront", _plain(obj.write), "FaceN and groups as groups; exact",
+        "lines of edges without a group", obj.KINDS, one_name=True),
+    ".stl": Format(
+        "STL", _plain(stl.write), "FaceN and groups as solids; exact",
+        "edges; quads, which are cut in two", stl.KINDS, edges=False, one_name=True),
+    ".ply": Format(
+        "Stanford polygons", _plain(ply.write), "the number of each face; exact", "names and edges",
+        ply.KINDS, edges=False),
+    ".fcstd": Format(
+        "FreeCAD document", _write_document,
+        "the shape and the mesh object with all groups and settings", needs="FreeCAD"),
 }
 
 
 def format_of(path: str) -> str:
-    return os.path.splitext(path)[1].lower()
+    """The longest known ending, else what follows the last point."""
+    lower = path.lower()
+    known = [ending for ending in FORMATS if lower.endswith(ending)]
+    return max(known, key=len) if known else os.path.splitext(lower)[1]
+
+
+def beside(path: str) -> Optional[str]:
+    """The file that is written along with this one."""
+    return ugrid.names_file(path) if format_of(path).endswith(".ugrid") else None
 
 
 def check_format(key: str, path: str, freecad: bool) -> None:
@@ -95,36 +148,31 @@ def check_format(key: str, path: str, freecad: bool) -> None:
     needs = FORMATS[ending].needs
     if needs == "FreeCAD" and not freecad:
         raise InputError(key, "needs FreeCAD to be written: run the job with freecadcmd: {}", path)
-    if needs == "meshio" and importlib.util.find_spec("meshio") is None:
-        raise InputError(key, "needs the Python package meshio (python3-meshio): {}", path)
+    if needs not in ("", "FreeCAD") and importlib.util.find_spec(needs) is None:
+        raise InputError(key, "needs the Python package {} (python3-{}): {}", needs, needs, path)
 
 
-class Outputs:
-    """Files that appear together or not at all: each is written under a temporary name beside its
-    target and takes its place in publish(). Leaving the `with` block removes what is left."""
+def check_carries(key: str, path: str, asked: Asked) -> None:
+    """Raises InputError where the format cannot carry what the mesh is to have."""
+    entry = FORMATS[format_of(path)]
+    if asked.order == 2 and not {"tri6", "quad8"} <= entry.kinds:
+        raise InputError(key, "{} files have no elements of second order: {}", entry.title, path)
+    if asked.volume and "tet4" not in entry.kinds:
+        raise InputError(key, "{} files have no volume elements: {}", entry.title, path)
+    for group, members in asked.groups.items():
+        edges = [member for member in members if member.startswith("Edge")]
+        if edges and not entry.edges:
+            raise InputError(key, "{} files have no edges: the group {} of {} would be lost in {}",
+                             entry.title, group, edges[0], path)
+    if entry.one_name:
+        _check_one_name(key, path, entry, asked)
 
-    def __init__(self) -> None:
-        self._pending: List[Tuple[str, str]] = []
 
-    def __enter__(self) -> "Outputs":
-        return self
-
-    def __exit__(self, *_error) -> None:
-        for temporary, _target in self._pending:
-            if os.path.exists(temporary):
-                os.remove(temporary)
-
-    def write(self, target: str, writer: Callable[[str], None]) -> None:
-        folder, name = os.path.split(target)
-        stem, ending = os.path.splitext(name)
-        temporary = os.path.join(folder, f".{stem}.{os.getpid()}.part{ending}")
-        self._pending.append((temporary, target))
-        writer(temporary)
-        # FreeCAD's writers say nothing when the disk is full.
-        if not os.path.exists(temporary) or not os.path.getsize(temporary):
-            raise OSError(errno.EIO, "nothing was written", target)
-
-    def publish(self) -> None:
-        for temporary, target in self._pending:
-            os.replace(temporary, target)
-        self._pending.clear()
+def _check_one_name(key: str, path: str, entry: Format, asked: Asked) -> None:
+    first: Dict[str, str] = {}
+    for group, members in asked.groups.items():
+        for member in members:
+            if first.setdefault(member, group) != group:
+                raise InputError(
+                    key, "{} files have one name for each element: {} is in the groups {} and {}, "
+                    "which {} cannot hold", entry.title, member, first[member], group, path)

@@ -10,7 +10,7 @@ from typing import Any, Dict, Optional, Tuple
 from advlayers import cad_input, export, faceted, flow_height, initial_mesh
 from advlayers.errors import InputError
 from advlayers.settings_check import check_all
-from advlayers.settings_table import JOB_SETTINGS, MESH_SETTINGS
+from advlayers.settings_table import EXPORT_SETTINGS, JOB_SETTINGS, MESH_SETTINGS
 
 
 @dataclass(frozen=True)
@@ -19,6 +19,7 @@ class Job:
     input: str  # all paths are absolute
     object: Optional[str]
     settings: Dict[str, Any]  # every key of MESH_SETTINGS, checked
+    export: Dict[str, Any]  # every key of EXPORT_SETTINGS, checked
     outputs: Tuple[str, ...]
     report: Optional[str]
     strict: bool
@@ -32,7 +33,7 @@ def read_job(path: str) -> Job:
     given = _read_json(path)
     if str(given.get("input", "")).lower().endswith(".stl"):
         given.setdefault("feature_angle", faceted.FEATURE_ANGLE)
-    values = check_all(given, JOB_SETTINGS + MESH_SETTINGS)
+    values = check_all(given, JOB_SETTINGS + EXPORT_SETTINGS + MESH_SETTINGS)
     folder = os.path.dirname(os.path.abspath(path))
     if values[initial_mesh.KEY] is not None:
         values[initial_mesh.KEY] = os.path.normpath(os.path.join(folder, values[initial_mesh.KEY]))
@@ -41,6 +42,7 @@ def read_job(path: str) -> Job:
         input=os.path.normpath(os.path.join(folder, values["input"])),
         object=values["object"],
         settings={entry.key: values[entry.key] for entry in MESH_SETTINGS},
+        export={entry.key: values[entry.key] for entry in EXPORT_SETTINGS},
         outputs=tuple(os.path.normpath(os.path.join(folder, out)) for out in values["outputs"]),
         report=values["report"] and os.path.normpath(os.path.join(folder, values["report"])),
         strict=values["strict"],
@@ -94,14 +96,19 @@ def _check_files(job: Job, job_path: str) -> None:
     targets = [(f"outputs[{i}]", path) for i, path in enumerate(job.outputs)]
     if job.report:
         targets.append(("report", job.report))
+    asked = export.Asked(job.settings["groups"])
+    for key, path in targets[:len(job.outputs)]:
+        export.check_format(key, path, in_freecad())
+        export.check_carries(key, path, asked)
+        beside = export.beside(path)
+        if beside:
+            targets.append((key, beside))
     for key, path in targets:
         real = os.path.realpath(path)
         if real in taken:
             raise InputError(key, "would overwrite {}: {}", taken[real], path)
         taken[real] = key
         _check_target(key, path)
-    for key, path in targets[:len(job.outputs)]:
-        export.check_format(key, path, in_freecad())
 
 
 def _check_target(key: str, path: str) -> None:

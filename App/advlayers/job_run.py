@@ -9,9 +9,10 @@ from typing import Any, Callable, Dict, List, Optional
 from advlayers import cad_input, export, flow_height, initial_mesh
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
+from advlayers.formats import mesh_parts
 from advlayers.job import Job, in_freecad
-from advlayers.mesh_groups import mesh_groups
 from advlayers.meshing import Run, core_settings
+from advlayers.outputs import Outputs
 from advlayers.report import has_error, info, make_report, make_strict
 from advlayers.settings_check import check_names
 
@@ -43,11 +44,11 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
 
     watch("write", [])
     start = time.perf_counter()
-    product = export.Product(mesh, mesh_groups(mesh, job.settings["groups"]))
+    product = export.Product(_parts(job, mesh), job.export)
     try:
-        _add_document(job, cad, product)
+        _add_document(job, cad, mesh, product)
         seconds["mesh_object"] = time.perf_counter() - start
-        with export.Outputs() as outputs:
+        with Outputs() as outputs:
             start = time.perf_counter()
             for path in job.outputs:
                 writer = export.FORMATS[export.format_of(path)].write
@@ -75,6 +76,11 @@ def _initial_mesh(job: Job) -> Optional[initial_mesh.Arrays]:
     return None if path is None else initial_mesh.read(path)
 
 
+def _parts(job: Job, mesh) -> mesh_parts.MeshParts:
+    parts = mesh_parts.of_mesh(mesh, job.settings["groups"], job.settings["layer_groups"])
+    return parts.scaled(job.export["scale"])
+
+
 def _report(job: Job, cad: cad_input.Cad, mesh, seconds: Dict[str, float]) -> Dict[str, Any]:
     notes = [info("object-chosen", cad.note)] if cad.note else []
     flow = flow_height.of_settings(job.settings)
@@ -91,25 +97,22 @@ def exit_status(report: Dict[str, Any]) -> int:
     return 2 if has_error(report) else 0
 
 
-def _add_document(job: Job, cad: cad_input.Cad, product: export.Product) -> None:
-    """Makes what the formats that FreeCAD writes need, and nothing where there is none."""
-    endings = {export.format_of(path) for path in job.outputs}
-    if not any(export.FORMATS[ending].needs == "FreeCAD" for ending in endings):
+def _add_document(job: Job, cad: cad_input.Cad, mesh, product: export.Product) -> None:
+    """Makes what a FreeCAD document needs, and nothing where none is asked for."""
+    if ".fcstd" not in {export.format_of(path) for path in job.outputs}:
         return
     import FreeCAD
 
     from advlayers import fem_mesh, layer_mesh
 
-    product.fem_mesh = fem_mesh.to_fem_mesh(product.mesh, job.settings["groups"])
-    if ".fcstd" not in endings:
-        return
     product.document = FreeCAD.newDocument("AdvancingLayers", hidden=True)
     product.document.Label = os.path.splitext(os.path.basename(job.input))[0]
     source = product.document.addObject("Part::Feature", "Shape")
     source.Label = cad.label or "Shape"
     source.Shape = cad.shape
     mesh_object = layer_mesh.create(source, **job.settings)
-    layer_mesh.set_mesh(mesh_object, product.mesh, product.fem_mesh,
+    parts = mesh_parts.of_mesh(mesh, job.settings["groups"], job.settings["layer_groups"])
+    layer_mesh.set_mesh(mesh_object, mesh, fem_mesh.to_fem_mesh(parts),
                         layer_mesh.made_from(mesh_object))
     product.document.recompute()
 

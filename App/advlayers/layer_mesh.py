@@ -15,9 +15,10 @@ import FreeCAD
 
 from advlayers import (
     analysis, cad_input, controls, faceted, fem_mesh, freshness, initial_mesh, mesh_data,
-    mesh_history, migrations)
+    mesh_history, migrations, stored_mesh)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
+from advlayers.formats import mesh_parts
 from advlayers.freecad_versions import Stateless
 from advlayers.language import tr
 from advlayers.mesh_data import MeshData
@@ -138,8 +139,9 @@ class Task:
         settings = {**self.made_from.settings, initial_mesh.KEY: self.initial}
         return core.Mesher(model, core_settings(core, settings, model.diagonal), context)
 
-    def make_fem_mesh(self, mesh, check: Callable[[], None] = lambda: None):
-        return fem_mesh.compact(fem_mesh.to_fem_mesh(mesh, self.groups, check))
+    def make_fem_mesh(self, mesh, check: Optional[Callable[[], None]] = None):
+        parts = mesh_parts.of_mesh(mesh, self.groups, self.made_from.settings["layer_groups"])
+        return fem_mesh.compact(fem_mesh.to_fem_mesh(parts, check))
 
 
 def prepare(document_object) -> Task:
@@ -168,7 +170,8 @@ def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None)
     task = prepare(document_object)
     context = core.RunContext()
     run = Run(context, lambda: task.make_mesher(core, context),
-              on_mesh=lambda mesh, check: (mesh, task.make_fem_mesh(mesh, check)))
+              on_mesh=lambda mesh, check: (
+                  mesh, task.make_fem_mesh(mesh, check if FreeCAD.GuiUp else None)))
     mesh, fem = run.finish(watch or window_watch.get())
     set_mesh(document_object, mesh, fem, task.made_from)
     if window_watch.get() is _unwatched:
@@ -206,6 +209,8 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom,
         f"{entry['severity']}: {entry['text']} ({entry['code']})" for entry in mesh.diagnostics]
     document_object.Details = json.dumps(data.report)
     document_object.HeightErrors = data.relative_height_errors.tolist()
+    document_object.ElementLayers = data.mesh.layers.tolist()
+    document_object.EdgeSegments = stored_mesh.row_of_segments(mesh.edge_segments)
     document_object.NodeLayers = mesh.node_layer.tolist()
     document_object.NodeParents = mesh.node_parent.tolist()
     document_object.MeshedSettings = origin.settings_text

@@ -139,7 +139,7 @@ def reading(mesh_object) -> Generator[None, None, MeshData]:
     if data is not None and (name, data.mesh.count) == (
             mesh_object.MeshId, mesh_object.FemMesh.FaceCount):
         return data
-    mesh = yield from element_mesh.reading(mesh_object.FemMesh)
+    mesh = yield from element_mesh.reading(mesh_object)
     mesh = replace(mesh, nodes=_unmoved(mesh.nodes, mesh_object.FemMesh.Placement))
     report = json.loads(mesh_object.Details) if mesh_object.Details else {}
     data = MeshData(mesh, mesh_object.HeightErrors, report)

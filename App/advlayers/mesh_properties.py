@@ -35,6 +35,9 @@ _HIDDEN_RESULTS = (
     ("HeightErrors", "App::PropertyFloatList",
      "How far the height of each element of a layer is from the one asked for, relative to it; "
      "NaN for the core."),
+    ("ElementLayers", "App::PropertyFloatList", "The layer of each element; 0 for the core."),
+    ("EdgeSegments", "App::PropertyFloatList",
+     "Mesh edges on CAD edges: the edge and two nodes, counted from 0, of each."),
     ("NodeLayers", "App::PropertyFloatList", "The layer that each node was extruded in; else 0."),
     ("NodeParents", "App::PropertyFloatList",
      "The node, counted from 0, that each node was extruded from; else -1."),

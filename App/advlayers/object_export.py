@@ -5,17 +5,25 @@ import errno
 
 from advlayers import export, stored_mesh
 from advlayers.errors import InputError
+from advlayers.formats import mesh_parts
+from advlayers.outputs import Outputs
 from advlayers.sentence import Sentence
+from advlayers.settings_check import check_all
+from advlayers.settings_table import EXPORT_SETTINGS
 
 
-def export_mesh(mesh_object, path: str) -> None:
-    """The ending says the format. Raises InputError for a format that cannot be written, an object
-    that has no mesh, or a file that cannot be written; nothing half-written remains."""
+def export_mesh(mesh_object, path: str, **options) -> None:
+    """The ending says the format, and options are what a job may say of files: `scale=0.001`.
+    Raises InputError for a format that cannot be written or cannot carry the mesh, an object that
+    has no mesh, or a file that cannot be written; nothing half-written remains."""
     export.check_format("file", path, freecad=True)
+    checked = check_all(options, EXPORT_SETTINGS)
     mesh = stored_mesh.read(mesh_object)
-    product = export.Product(mesh, mesh.groups, mesh_object.Document, mesh_object.FemMesh)
+    export.check_carries("file", path, export.Asked(mesh.named))
+    parts = mesh_parts.of_mesh(mesh, mesh.named, mesh_object.LayerGroups)
+    product = export.Product(parts.scaled(checked["scale"]), checked, mesh_object.Document)
     try:
-        with export.Outputs() as outputs:
+        with Outputs() as outputs:
             outputs.write(path, lambda temporary: export.FORMATS[export.format_of(path)].write(
                 temporary, product))
             outputs.publish()

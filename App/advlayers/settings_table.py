@@ -86,6 +86,11 @@ OWN_SETTINGS = (
         becomes="first_height",
     ),
     Setting(
+        "layer_groups", "flag", False,
+        "Makes a group of the elements of each layer, too: Layer1, Layer2, … and Core.",
+        group="Run",
+    ),
+    Setting(
         "groups", "groups", {},
         "Named groups for boundary conditions: a name and the CAD faces or edges in it.",
         child="Group",
@@ -110,6 +115,25 @@ JOB_SETTINGS = (
     Setting(
         "strict", "flag", False,
         "Makes a shortfall of layers or heights an error: the job ends with status 2.",
+    ),
+)
+
+# What is asked of the files; also keywords of export_mesh().
+EXPORT_SETTINGS = (
+    Setting(
+        "scale", "number", 1.0,
+        "Coordinates in files are in mm times this: 0.001 writes metres.",
+        low=0.0, low_open=True,
+    ),
+    Setting(
+        "msh_version", "choice", "4.1", "The version of .msh files.", choices=("4.1", "2.2"),
+    ),
+    Setting(
+        "inp_elements", "choice", "shell",
+        "What the surface elements of .inp files are: S4, S4R, CPS4, CPE4, CAX4 or M3D4 and those "
+        "of three, six and eight nodes.",
+        choices=("shell", "reduced shell", "plane stress", "plane strain", "axisymmetric",
+                 "membrane"),
     ),
 )
 
@@ -148,8 +172,8 @@ def value_settings(table: Iterable[Setting]) -> List[Setting]:
 
 def keys() -> FrozenSet[str]:
     """Of all settings, and what an InputError of another origin has for one."""
-    tables = (MESH_SETTINGS, JOB_SETTINGS, WALL_SETTINGS, SIZE_SETTINGS, REFINEMENT_SETTINGS,
-              Y_PLUS_SETTINGS)
+    tables = (MESH_SETTINGS, JOB_SETTINGS, EXPORT_SETTINGS, WALL_SETTINGS, SIZE_SETTINGS,
+              REFINEMENT_SETTINGS, Y_PLUS_SETTINGS)
     return frozenset(entry.key for table in tables for entry in table) | {
         "references", "condition", "file"}
 

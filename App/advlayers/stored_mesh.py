@@ -1,17 +1,17 @@
 """The mesh that a document object holds, in the arrays that the core's meshes have."""
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import dataclass
-from typing import Any, List
+from typing import Any, Dict, List
 
 import numpy as np
 
 from advlayers import element_mesh
 from advlayers.errors import InputError
-from advlayers.mesh_groups import Group
 
-_FACE = re.compile(r"Face([0-9]+)")
+_OWN_NAME = re.compile(r"(Face|Edge|Layer)[0-9]+|Core")
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,8 @@ class StoredMesh:
     layer_of_triangle: Any
     node_layer: Any
     node_parent: Any
-    groups: List[Group]  # as the object has them
+    edge_segments: Dict[int, Any]
+    named: Dict[str, List[str]]  # the groups of the object and of its analysis
 
 
 def read(mesh_object) -> StoredMesh:
@@ -36,25 +37,45 @@ def read(mesh_object) -> StoredMesh:
     fem = mesh_object.FemMesh
     if not fem.FaceCount:
         raise InputError("", "{} has no mesh yet: mesh it first", mesh_object.Label)
-    groups = _groups(fem)
-    elements = element_mesh.of_fem(fem)
+    elements = element_mesh.of_object(mesh_object)
     quads, nodes = len(elements.quads), len(elements.nodes)
-    faces = np.zeros(elements.count, np.int32)
-    for group in groups:
-        match = _FACE.fullmatch(group.name)
-        if match and not group.of_nodes:
-            faces[group.ids - 1] = int(match.group(1))
     return StoredMesh(
-        elements.nodes, elements.quads, elements.triangles, faces[:quads], faces[quads:],
+        elements.nodes, elements.quads, elements.triangles,
+        elements.faces[:quads], elements.faces[quads:],
         elements.layers[:quads], elements.layers[quads:],
         _node_values(mesh_object.NodeLayers, nodes, 0),
-        _node_values(mesh_object.NodeParents, nodes, -1), groups)
+        _node_values(mesh_object.NodeParents, nodes, -1),
+        segments_of(mesh_object.EdgeSegments), _named(mesh_object, elements.faces))
 
 
-def _groups(fem) -> List[Group]:
-    return [Group(fem.getGroupName(number), fem.getGroupElementType(number) == "Node",
-                  np.array(sorted(fem.getGroupElements(number)), np.int64))
-            for number in fem.Groups]
+def segments_of(numbers) -> Dict[int, Any]:
+    """From a row of edge, node, node, edge, node, node, … (nodes from 0)."""
+    rows = np.array(numbers, np.int32).reshape(-1, 3)
+    order = np.argsort(rows[:, 0], kind="stable")
+    found, first = np.unique(rows[order, 0], return_index=True)
+    return dict(zip(found.tolist(), np.split(rows[order, 1:], first[1:])))
+
+
+def row_of_segments(segments: Dict[int, Any]) -> List[float]:
+    """What segments_of() takes."""
+    rows = [np.column_stack([np.full(len(pairs), number), pairs])
+            for number, pairs in sorted(segments.items()) if len(pairs)]
+    return np.concatenate(rows).ravel().tolist() if rows else []
+
+
+def _named(mesh_object, faces) -> Dict[str, List[str]]:
+    """As the mesh was made; the groups that an analysis asked for are of faces, and known by their
+    elements."""
+    fem = mesh_object.FemMesh
+    kept = json.loads(mesh_object.MeshedSettings or "{}")
+    named = {name: list(members) for name, members in kept.get("groups", {}).items()}
+    for group in fem.Groups:
+        name = fem.getGroupName(group)
+        if name in named or _OWN_NAME.fullmatch(name) or fem.getGroupElementType(group) != "Face":
+            continue
+        ids = np.array(fem.getGroupElements(group), np.int64)
+        named[name] = [f"Face{number}" for number in np.unique(faces[ids - 1]).tolist()]
+    return named
 
 
 def _node_values(values, count: int, unknown: int):

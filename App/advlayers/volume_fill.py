@@ -15,9 +15,9 @@ import numpy as np
 
 from advlayers import cad_input, stored_mesh
 from advlayers.errors import InputError
+from advlayers.formats import mesh_parts
 from advlayers.language import tr
 from advlayers.layer_mesh import window_watch
-from advlayers.mesh_groups import face_of_element
 from advlayers.sentence import Sentence
 from advlayers.triangle_mesh import triangles_of
 
@@ -39,7 +39,7 @@ def fill(mesh_object):
     mesh = stored_mesh.read(mesh_object)
     cells, elements = triangles_of(mesh)
     check_closed(mesh, mesh_object.Label)
-    faces = face_of_element(mesh)[elements]
+    faces = np.concatenate([mesh.face_of_quad, mesh.face_of_triangle])[elements]
     solids = _solids(mesh_object.Part, sorted(set(faces.tolist())))
     nodes, tetrahedra = _run(command, mesh.nodes, cells, faces, solids, mesh_object.Size.Value)
     fem = _fem_mesh(mesh, nodes, cells, elements, tetrahedra)
@@ -188,10 +188,11 @@ def _fem_mesh(mesh, nodes, cells, elements, tetrahedra):
     cells_of_freecad = tetrahedra[:, _TO_FREECAD] + 1
     for number, cell in enumerate(cells_of_freecad.tolist(), len(cells) + 1):
         fem.addVolume(cell, number)
-    for group in mesh.groups:
-        ids = group.ids
-        if not group.of_nodes:
-            ids = np.flatnonzero(np.isin(elements, group.ids - 1)) + 1
-        index = fem.addGroup(group.name, "Node" if group.of_nodes else "Face")
-        fem.addGroupElements(index, ids.tolist())
+    parts = mesh_parts.of_mesh(mesh, mesh.named)
+    for name, _dimension, members in parts.element_sets(2):
+        index = fem.addGroup(name, "Face")
+        fem.addGroupElements(index, (np.flatnonzero(np.isin(elements, members - 1)) + 1).tolist())
+    for name, members in parts.node_sets(1):
+        index = fem.addGroup(name, "Node")
+        fem.addGroupElements(index, (members + 1).tolist())
     return fem

@@ -11,5 +11,6 @@ void bind_model(pybind11::module_& module);
 void bind_settings(pybind11::module_& module);
 void bind_result(pybind11::module_& module);
 void bind_mesher(pybind11::module_& module);
+void bind_number_rows(pybind11::module_& module);
 
 }  // namespace advlayers::python

@@ -10,4 +10,5 @@ PYBIND11_MODULE(_core, module) {
   bind_settings(module);
   bind_result(module);
   bind_mesher(module);
+  bind_number_rows(module);
 }

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import (
+    Any, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple)
 
 import numpy as np
 
@@ -66,6 +67,15 @@ class Block:
         return np.zeros(len(self), np.int32) if self.layer is None else self.layer
 
 
+class Run(NamedTuple):
+    """Elements of one kind and one part."""
+
+    part: int
+    kind: str
+    elements: Any  # (m,) their numbers, ascending
+    cells: Any  # (m, nodes)
+
+
 @dataclass(frozen=True)
 class Group:
     """Some parts of one dimension under one name."""
@@ -85,6 +95,8 @@ class MeshParts:
     layer_groups: bool = False  # each layer of the surface is to be a group, too
     node_layer: Optional[Any] = None  # (n,) the layer that a node was extruded in; 0: none
     node_parent: Optional[Any] = None  # (n,) the node that it was extruded from; -1: none
+    _elements_by_part: Dict[int, Dict[int, Any]] = field(
+        default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def dimension(self) -> int:
@@ -100,7 +112,10 @@ class MeshParts:
 
     def only(self, *dimensions: int) -> "MeshParts":
         """Without the elements of other dimensions; all nodes stay."""
-        return replace(self, blocks=tuple(self.of(*dimensions)))
+        return self.with_blocks(self.of(*dimensions))
+
+    def with_blocks(self, blocks: Iterable[Block]) -> "MeshParts":
+        return replace(self, blocks=tuple(blocks))
 
     def scaled(self, factor: float) -> "MeshParts":
         """With coordinates that are `factor` times as large: in another unit, of the same size."""
@@ -114,7 +129,8 @@ class MeshParts:
 
     def part_numbers(self, dimension: int) -> List[int]:
         """Of the parts that have elements, ascending."""
-        return sorted(self.elements_by_part[dimension])
+        numbers = [np.unique(block.part) for block in self.of(dimension)]
+        return np.unique(np.concatenate(numbers)).tolist() if numbers else []
 
     def owners(self, dimension: int) -> Dict[int, str]:
         """One name for each part, for formats in which an element has only one: the first group
@@ -127,7 +143,7 @@ class MeshParts:
 
     def grouped(self, dimension: int) -> List[int]:
         """The parts that lie in a group, ascending."""
-        present = self.elements_by_part[dimension]
+        present = set(self.part_numbers(dimension))
         return sorted({number for group in self.groups if group.dimension == dimension
                        for number in group.parts if number in present})
 
@@ -136,11 +152,12 @@ class MeshParts:
         """For each block the number of elements before it."""
         return [0, *np.cumsum([len(block) for block in self.blocks]).tolist()][:-1]
 
-    @cached_property
-    def elements_by_part(self) -> Dict[int, Dict[int, Any]]:
-        """By dimension and part the numbers of the elements, from 1, ascending."""
-        return {dimension: self._numbers_by(dimension, [block.part for block in self.of(dimension)])
-                for dimension in (1, 2, 3)}
+    def elements_by_part(self, dimension: int) -> Dict[int, Any]:
+        """By part the numbers of its elements, from 1, ascending."""
+        if dimension not in self._elements_by_part:
+            self._elements_by_part[dimension] = self._numbers_by(
+                dimension, [block.part for block in self.of(dimension)])
+        return self._elements_by_part[dimension]
 
     @cached_property
     def elements_by_layer(self) -> Dict[int, Any]:
@@ -158,15 +175,27 @@ class MeshParts:
         found, first = np.unique(value[order], return_index=True)
         return dict(zip(found.tolist(), np.split(elements[order], first[1:])))
 
+    def by_part(self, dimension: int) -> Iterator["Run"]:
+        """The elements of each part in turn, those of one kind at a time."""
+        runs = []
+        for start, block in zip(self.starts, self.blocks):
+            if block.dimension == dimension:
+                order = np.argsort(block.part, kind="stable")
+                found, first = np.unique(block.part[order], return_index=True)
+                runs += [(number, start, block, places) for number, places
+                         in zip(found.tolist(), np.split(order, first[1:]))]
+        for number, start, block, places in sorted(runs, key=lambda run: run[:2]):
+            yield Run(number, block.kind, start + 1 + places, block.cells[places])
+
     def element_sets(self, *dimensions: int) -> List[Tuple[str, int, Any]]:
         """(name, dimension, numbers of the elements, ascending): the parts of these dimensions, the
         groups, and the layers where they are asked for. Empty ones are left out."""
         found = [(self.name(dimension, number), dimension, elements)
                  for dimension in dimensions
-                 for number, elements in sorted(self.elements_by_part[dimension].items())]
+                 for number, elements in sorted(self.elements_by_part(dimension).items())]
         for group in self.groups:
             if group.dimension in dimensions:
-                by_part = self.elements_by_part[group.dimension]
+                by_part = self.elements_by_part(group.dimension)
                 members = [by_part[number] for number in group.parts if number in by_part]
                 if members:
                     found.append((group.name, group.dimension, np.sort(np.concatenate(members))))
@@ -175,25 +204,20 @@ class MeshParts:
                       for layer, elements in sorted(self.elements_by_layer.items())]
         return found
 
-    @cached_property
-    def nodes_by_edge(self) -> Dict[int, Any]:
-        """The nodes of each part of dimension 1, from 0, ascending."""
-        by_number: Dict[int, List[Any]] = {}
-        for block in self.of(1):
-            order = np.argsort(block.part, kind="stable")
-            found, first = np.unique(block.part[order], return_index=True)
-            for number, cells in zip(found.tolist(), np.split(block.cells[order], first[1:])):
-                by_number.setdefault(number, []).append(cells.ravel())
-        return {number: np.unique(np.concatenate(cells))
-                for number, cells in sorted(by_number.items())}
+    def nodes_by_part(self, dimension: int) -> Dict[int, Any]:
+        """The nodes of each part, from 0, ascending."""
+        cells: Dict[int, List[Any]] = {}
+        for run in self.by_part(dimension):
+            cells.setdefault(run.part, []).append(run.cells.ravel())
+        return {number: np.unique(np.concatenate(part)) for number, part in cells.items()}
 
-    def node_sets(self) -> List[Tuple[str, Any]]:
-        """(name, nodes from 0, ascending) of the edges, and of the groups of edges."""
-        by_edge = self.nodes_by_edge
-        found = [(self.name(1, number), nodes) for number, nodes in by_edge.items()]
+    def node_sets(self, dimension: int) -> List[Tuple[str, Any]]:
+        """(name, nodes from 0, ascending) of the parts, and of their groups."""
+        by_part = self.nodes_by_part(dimension)
+        found = [(self.name(dimension, number), nodes) for number, nodes in by_part.items()]
         for group in self.groups:
-            members = [by_edge[number] for number in group.parts if number in by_edge]
-            if group.dimension == 1 and members:
+            members = [by_part[number] for number in group.parts if number in by_part]
+            if group.dimension == dimension and members:
                 found.append((group.name, np.unique(np.concatenate(members))))
         return found
 

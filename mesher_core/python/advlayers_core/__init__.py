@@ -10,8 +10,8 @@ Lengths are in mm, angles in degrees.
 """
 try:
     from ._core import (Cancelled, GeometryError, InternalError, InvalidInput, LayerReport, Mesh,
-                        Mesher, Model, RunContext, Settings, check_file, read_brep, read_file,
-                        resolve_wall, schema)
+                        Mesher, Model, RunContext, Settings, check_file, number_rows, read_brep,
+                        read_file, resolve_wall, schema)
 except ModuleNotFoundError as error:
     if error.name != __name__ + "._core":
         raise
@@ -21,5 +21,5 @@ except ModuleNotFoundError as error:
         "the add-on's folder".format(*_sys.version_info[:2])) from error
 
 __all__ = ["Cancelled", "GeometryError", "InternalError", "InvalidInput", "LayerReport", "Mesh",
-           "Mesher", "Model", "RunContext", "Settings", "check_file", "read_brep", "read_file",
-           "resolve_wall", "schema"]
+           "Mesher", "Model", "RunContext", "Settings", "check_file", "number_rows", "read_brep",
+           "read_file", "resolve_wall", "schema"]

@@ -80,6 +80,12 @@ def read_brep(
     Raises InvalidInput if the text is no BREP, GeometryError if it holds no face; Cancelled.
     """
 
+def number_rows(form: str, *arrays: NDArray[Any]) -> bytes:
+    """Rows of numbers as text: `form` is that of one row, its numbers %d, %10d (integers), %25.16E,
+    %r (shortest exact) or %16w (most digits in 16 characters); an array of k columns gives k
+    numbers of each row. Arrays are of float64, int32 or int64.
+    """
+
 def check_file(path: Union[str, "os.PathLike[str]"]) -> None:
     """Raises InvalidInput where OpenCASCADE's reader crashes on an IGES file, as it does on some
     damaged ones. read_file() asks by itself; ask before another program's reader is let at a file

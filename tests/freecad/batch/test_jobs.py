@@ -230,4 +230,4 @@ json.dump(seen, open({str(note)!r}, "w"))
     assert seen["size"] == 2.0 and 0.25 in seen["heights"] and seen["faces"] == 6
     assert [seen[key] for key in ("nodes", "quads", "triangles")] == [
         report[key] for key in ("nodes", "quads", "triangles")]
-    assert {"Face1", "Face6", "Edge1", "Edge12", "Layer1", "inlet"} <= set(seen["groups"])
+    assert {"Face1", "Face6", "Edge1", "Edge12", "inlet"} <= set(seen["groups"])

@@ -88,7 +88,7 @@ def test_documents_open_without_the_add_on(tmp_path):
     """)
     assert seen["proxy"] == "NoneType" and seen["visible"]
     assert (seen["quads"], seen["size"], seen["wall"]) == (quads, 3, 0.5)
-    assert {"inlet", "Face1", "Layer1"} <= set(seen["groups"])
+    assert {"inlet", "Face1", "Edge1"} <= set(seen["groups"])
     home = tmp_path / "with"
     fresh_window.link_add_on(home)
     seen, _printed = fresh_window.run(home, f"""

@@ -5,8 +5,9 @@ import numpy as np
 import ObjectsFem
 import pytest
 from advlayers import (
-    gmsh_takeover, layer_mesh, mesh_feature, object_export, stored_mesh, volume_fill)
+    export, gmsh_takeover, layer_mesh, mesh_feature, object_export, stored_mesh, volume_fill)
 from advlayers.errors import InputError, Stopped
+from advlayers.formats import mesh_parts
 
 
 @pytest.fixture
@@ -15,23 +16,37 @@ def mesh(box):
                                      groups={"inlet": ["Face1"]})
 
 
-def test_export_writes_what_a_job_writes(mesh, tmp_path):
+@pytest.mark.parametrize("ending", [ending for ending in export.FORMATS
+                                    if ending not in (".fcstd", ".su2", ".med", ".cgns")])
+def test_export_writes_what_a_job_writes(mesh, tmp_path, ending):
     import advlayers_core as core
-    from advlayers import export, mesh_groups, meshing
+    from advlayers import meshing
 
     task = layer_mesh.prepare(mesh)
     context = core.RunContext()
     fresh = meshing.Run(context, lambda: task.make_mesher(core, context)).finish(
         lambda reports: None)
-    groups = mesh_groups.mesh_groups(fresh, {"inlet": ["Face1"]})
-    for ending in (".vtu", ".unv"):
-        mine, jobs = str(tmp_path / f"mine{ending}"), str(tmp_path / f"job{ending}")
-        object_export.export_mesh(mesh, mine)
-        export.FORMATS[ending].write(jobs, export.Product(fresh, groups))
-        if ending == ".vtu":
-            assert open(mine).read() == open(jobs).read()
-        else:
-            assert sorted(open(mine).read()) == sorted(open(jobs).read())
+    parts = mesh_parts.of_mesh(fresh, {"inlet": ["Face1"]})
+    mine, jobs = str(tmp_path / f"mine{ending}"), str(tmp_path / f"job{ending}")
+    object_export.export_mesh(mesh, mine)
+    export.FORMATS[ending].write(jobs, export.Product(parts))
+    assert open(mine, "rb").read() == open(jobs, "rb").read()
+
+
+def test_export_in_another_unit_and_version(mesh, tmp_path):
+    path = str(tmp_path / "metres.msh")
+    object_export.export_mesh(mesh, path, scale=0.001, msh_version="2.2")
+    lines = open(path).read().split("\n")
+    assert lines[1].startswith("2.2")
+    first = lines.index("$Nodes") + 2
+    points = np.array([line.split()[1:] for line in lines[first:lines.index("$EndNodes")]], float)
+    assert points.max() == pytest.approx(0.03)
+    with pytest.raises(InputError, match="scale must be > 0"):
+        object_export.export_mesh(mesh, path, scale=0)
+    with pytest.raises(InputError, match="STL files have no edges"):
+        advlayers.make_group(mesh, "rim", ["Edge1"])
+        layer_mesh.update(mesh)
+        object_export.export_mesh(mesh, str(tmp_path / "mesh.stl"))
 
 
 def test_export_of_a_saved_document(mesh, tmp_path):

@@ -2,7 +2,6 @@
 import os
 
 import advlayers
-import Fem
 import FreeCAD
 import numpy as np
 import pytest
@@ -34,7 +33,8 @@ def test_loose_faces_are_sewn_under_the_names_that_they_have(box):
     loose.Shape = Part.makeCompound([face.copy() for face in box.Shape.Faces])
     assert len(loose.Shape.Edges) == 24
     made = advlayers.make_layer_mesh(loose, size=5, sew_tolerance="0.001 mm", layers=1,
-                                     walls=[{"edges": ["Edge24"]}], groups={"rim": ["Edge24"]})
+                                     walls=[{"edges": ["Edge24"]}], groups={"rim": ["Edge24"]},
+                                     layer_groups=True)
     assert made.SewTolerance.Value == 0.001
     kinds = groups_of(made.FemMesh)
     same = [i for i in range(1, 24) if kinds[f"Edge{i}"] == kinds["Edge24"]]
@@ -95,7 +95,7 @@ def test_a_source_without_a_face(box):
 
 
 def test_ids_and_groups(box):
-    made = advlayers.make_layer_mesh(box, size=5, first_height=0.5, layers=2,
+    made = advlayers.make_layer_mesh(box, size=5, first_height=0.5, layers=2, layer_groups=True,
                                      groups={"in let": ["Face1", "Edge5"]})
     fem = made.FemMesh
     assert sorted(fem.Nodes) == list(range(1, fem.NodeCount + 1))
@@ -229,29 +229,18 @@ def test_bodies_and_links(box):
     assert advlayers.make_layer_mesh(link, size=5).FemMesh.BoundBox.YMin == pytest.approx(70.0)
 
 
-@pytest.mark.parametrize("ending", [".unv", ".med"])
-def test_freecad_reads_what_was_written(box, tmp_path, ending):
-    from advlayers import export
-    from advlayers.mesh_groups import mesh_groups
-
-    made = advlayers.make_layer_mesh(box, size=5, groups={"in let": ["Face1", "Edge1"]})
-    import advlayers_core as core
-
-    model = core.read_brep(box.Shape.exportBrepToString())
-    mesher = core.Mesher(model, core.Settings(size=5.0, first_height=0.5))
-    for _ in mesher:
-        pass
-    mesh = mesher.result()
-    product = export.Product(mesh, mesh_groups(mesh, {"in let": ["Face1", "Edge1"]}),
-                             fem_mesh=made.FemMesh)
-    path = str(tmp_path / f"box{ending}")
-    export.FORMATS[ending].write(path, product)
-    read = Fem.read(path)
-    assert read.QuadrangleCount == made.QuadCount and read.TriangleCount == made.TriangleCount
-    assert read.Nodes == made.FemMesh.Nodes
-    assert sorted(groups_of(read)) == sorted(groups_of(made.FemMesh))
-    for name, members in groups_of(made.FemMesh).items():
-        assert sorted(groups_of(read)[name][1]) == sorted(members[1])
+def test_layers_are_no_groups_unless_asked_for(box):
+    made = advlayers.make_layer_mesh(box, size=5, first_height=0.5, layers=2)
+    assert not [name for name in groups_of(made.FemMesh) if name.startswith(("Layer", "Core"))]
+    assert set(made.ElementLayers) == {0.0, 1.0, 2.0}
+    made.LayerGroups = True
+    box.Document.recompute()
+    assert made.State == layer_mesh.OUT_OF_DATE
+    layer_mesh.update(made)
+    groups = groups_of(made.FemMesh)
+    for number in (1, 2):
+        members = [i + 1 for i, layer in enumerate(made.ElementLayers) if layer == number]
+        assert sorted(groups[f"Layer{number}"][1]) == members
 
 
 def test_init_finds_the_packages():
