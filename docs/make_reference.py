@@ -72,9 +72,20 @@ def page():
         "sources stand in [method.md](method.md#a-first-height-from-y). The report says it, with "
         "the thickness of the boundary layer and the layers that reach through it. In Python: "
         "`advlayers.y_plus(speed=50, length=1000)`.", "",
-        "## Output formats", "", _formats(), "",
-        "Element groups: `FaceN` and `LayerN` or `Core`; node groups: `EdgeN`; and those of the "
-        "setting `groups`. Nodes and elements are numbered from 1, quads before triangles.", "",
+        "## Output formats", "",
+        "What all of them hold: the nodes, quads and triangles, and a name for each CAD face "
+        "(`FaceN`) and edge (`EdgeN`), and for the groups. Edges are lines, of all edges where a "
+        "row does not say otherwise. Nodes and elements are numbered from 1, quads before "
+        "triangles, lines last.", "",
+        _formats(), "",
+        "Where an element has one name only (CGNS, SU2, UGRID, OBJ, STL, and a volume's sides in "
+        "UNV), that is the name of its group, or else of its CAD face or edge. A format that "
+        "cannot carry what a job asks for (a group of edges, a second name, a volume, elements of "
+        "second order) is refused before meshing. What each program makes of the files is told in "
+        "[downstream.md](downstream.md).", "",
+        "## Options of the files", "",
+        "Keys of a job, and keywords of `object_export.export_mesh`.", "",
+        _table(table.EXPORT_SETTINGS, properties=False), "",
     ]
     return "\n".join(parts)
 
@@ -170,10 +181,10 @@ def _endings():
 def _formats():
     from advlayers.export import FORMATS
 
-    rows = ["| ending | needs | keeps |", "| --- | --- | --- |"]
+    rows = ["| ending | needs | keeps | loses |", "| --- | --- | --- | --- |"]
     for ending, entry in FORMATS.items():
         shown = ".FCStd" if ending == ".fcstd" else ending
-        rows.append(f"| `{shown}` | {entry.needs} | {entry.keeps} |")
+        rows.append(f"| `{shown}` | {entry.needs} | {entry.keeps} | {entry.loses} |")
     return "\n".join(rows)
 
 

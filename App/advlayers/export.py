@@ -10,8 +10,12 @@ from typing import Any, Callable, Dict, FrozenSet, Mapping, Optional, Sequence
 
 from advlayers.errors import InputError
 from advlayers.formats import (
-    bdf, cgns, inp, med, medit, mesh_parts, msh, obj, ply, stl, su2, ugrid, unv, vtk, vtu)
+    bdf, cgns, inp, med, medit, mesh_parts, msh, obj, plane, ply, stl, su2, ugrid, unv, vtk, vtu)
 from advlayers.formats.mesh_parts import MeshParts
+
+
+# Of the diagonal of a box: what it may have about a plane face.
+_AIR = 1e-5
 
 
 @dataclass
@@ -166,6 +170,15 @@ def check_carries(key: str, path: str, asked: Asked) -> None:
                              entry.title, group, edges[0], path)
     if entry.one_name:
         _check_one_name(key, path, entry, asked)
+
+
+def check_shape(key: str, path: str, asked: Asked, low: Sequence[float],
+                high: Sequence[float]) -> None:
+    """Raises InputError where the format has plane domains only, and what is to be meshed is none;
+    the corners are those of a box about it, with some air."""
+    if format_of(path) == ".su2" and not asked.volume and plane.axes(low, high, _AIR) is None:
+        raise InputError(key, "SU2 files have plane domains (x, y or z constant) and volumes, no "
+                         "surfaces: {}", path)
 
 
 def _check_one_name(key: str, path: str, entry: Format, asked: Asked) -> None:

@@ -24,6 +24,10 @@ class Job:
     report: Optional[str]
     strict: bool
 
+    @property
+    def asked(self) -> export.Asked:
+        return export.Asked(self.settings["groups"])
+
 
 def read_job(path: str) -> Job:
     """Reads and checks a job file; relative paths in it are relative to the file.
@@ -96,10 +100,9 @@ def _check_files(job: Job, job_path: str) -> None:
     targets = [(f"outputs[{i}]", path) for i, path in enumerate(job.outputs)]
     if job.report:
         targets.append(("report", job.report))
-    asked = export.Asked(job.settings["groups"])
     for key, path in targets[:len(job.outputs)]:
         export.check_format(key, path, in_freecad())
-        export.check_carries(key, path, asked)
+        export.check_carries(key, path, job.asked)
         beside = export.beside(path)
         if beside:
             targets.append((key, beside))

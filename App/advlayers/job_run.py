@@ -6,6 +6,8 @@ import os
 import time
 from typing import Any, Callable, Dict, List, Optional
 
+import numpy as np
+
 from advlayers import cad_input, export, flow_height, initial_mesh
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
@@ -32,6 +34,7 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     cad = cad_input.read(core, job.input, job.object, in_freecad(), job.settings["sew_tolerance"],
                          context)
     check_names(job.settings, cad.model.face_count, cad.model.edge_count, job.input_name)
+    _check_shape(job, cad.model)
     settings = {**job.settings, initial_mesh.KEY: _initial_mesh(job)}
     seconds = {"read": time.perf_counter() - begin}
 
@@ -64,6 +67,18 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     finally:
         _close(product.document)
     return report
+
+
+def _check_shape(job: Job, model) -> None:
+    """Raises InputError where an output cannot hold a mesh of this shape."""
+    faces = job.settings["faces"]
+    boxes = [box for number, box in enumerate(model.face_boxes, 1)
+             if box and (faces == "all" or f"Face{number}" in faces)]
+    if boxes:
+        low, high = np.min([box[0] for box in boxes], axis=0), np.max(
+            [box[1] for box in boxes], axis=0)
+        for i, path in enumerate(job.outputs):
+            export.check_shape(f"outputs[{i}]", path, job.asked, low, high)
 
 
 def _stage(context) -> str:

@@ -360,6 +360,10 @@
         <translation>Rand</translation>
     </message>
     <message>
+        <source>CGNS</source>
+        <translation>CGNS</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
     </message>
@@ -532,6 +536,10 @@
         <translation>Ausgangsnetz</translation>
     </message>
     <message>
+        <source>Inp elements</source>
+        <translation>Elemente der .inp</translation>
+    </message>
+    <message>
         <source>Input</source>
         <translation>Eingabe</translation>
     </message>
@@ -550,6 +558,10 @@
     <message>
         <source>Layer Mesh</source>
         <translation>Schichtnetz</translation>
+    </message>
+    <message>
+        <source>Layer groups</source>
+        <translation>Gruppen der Schichten</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -598,6 +610,10 @@
     <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Vernetzt mit den Einstellungen unten; OK übernimmt das Netz danach ins Dokument</translation>
+    </message>
+    <message>
+        <source>Msh version</source>
+        <translation>Version der .msh</translation>
     </message>
     <message>
         <source>Name</source>
@@ -704,8 +720,24 @@
         <translation>Ergebnisse</translation>
     </message>
     <message>
+        <source>STL</source>
+        <translation>STL</translation>
+    </message>
+    <message>
+        <source>SU2</source>
+        <translation>SU2</translation>
+    </message>
+    <message>
+        <source>SU2 files have plane domains (x, y or z constant) and volumes, no surfaces: {}</source>
+        <translation>SU2-Dateien haben ebene Gebiete (x, y oder z fest) und Volumen, keine Flächen im Raum: {}</translation>
+    </message>
+    <message>
         <source>Salome MED</source>
         <translation>Salome MED</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>Segments</source>
@@ -846,6 +878,18 @@
     <message>
         <source>Turning angle</source>
         <translation>Drehwinkel</translation>
+    </message>
+    <message>
+        <source>UGRID</source>
+        <translation>UGRID</translation>
+    </message>
+    <message>
+        <source>UGRID, big-endian</source>
+        <translation>UGRID, Big-Endian</translation>
+    </message>
+    <message>
+        <source>UGRID, little-endian</source>
+        <translation>UGRID, Little-Endian</translation>
     </message>
     <message>
         <source>Until isotropic</source>
@@ -1308,6 +1352,10 @@
         <translation>braucht das Python-Paket meshio (python3-meshio): {}</translation>
     </message>
     <message>
+        <source>needs the Python package {} (python3-{}): {}</source>
+        <translation>braucht das Python-Paket {} (python3-{}): {}</translation>
+    </message>
+    <message>
         <source>no growth from 1 to {} makes {} layers from {} mm {} mm thick</source>
         <translation>kein Wachstumsfaktor von 1 bis {} macht {} Schichten ab {} mm zusammen {} mm dick</translation>
     </message>
@@ -1602,6 +1650,22 @@
     <message>
         <source>{} faces meet there</source>
         <translation>dort treffen sich {} Flächen</translation>
+    </message>
+    <message>
+        <source>{} files have no edges: the group {} of {} would be lost in {}</source>
+        <translation>Dateien für {} haben keine Kanten: Die Gruppe {} mit {} ginge verloren in {}</translation>
+    </message>
+    <message>
+        <source>{} files have no elements of second order: {}</source>
+        <translation>Dateien für {} haben keine Elemente zweiter Ordnung: {}</translation>
+    </message>
+    <message>
+        <source>{} files have no volume elements: {}</source>
+        <translation>Dateien für {} haben keine Volumenelemente: {}</translation>
+    </message>
+    <message>
+        <source>{} files have one name for each element: {} is in the groups {} and {}, which {} cannot hold</source>
+        <translation>Dateien für {} haben einen Namen je Element: {} ist in den Gruppen {} und {}, die {} nicht beide fassen kann</translation>
     </message>
     <message>
         <source>{} has a slit there</source>
@@ -1995,6 +2059,10 @@
         <translation>Jede Schicht dieser Wand ist um diesen Faktor höher als die vorige. 0: nicht angegeben.</translation>
     </message>
     <message>
+        <source>Edge Segments</source>
+        <translation>Kantenabschnitte</translation>
+    </message>
+    <message>
         <source>Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the shape's bounding box.</source>
         <translation>Kantenlänge des Netzes abseits der Schichten. Vorgabe: 1/40 der Diagonale des Hüllquaders der Form.</translation>
     </message>
@@ -2005,6 +2073,10 @@
     <message>
         <source>Edge length of the mesh. 0: not given.</source>
         <translation>Kantenlänge des Netzes. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Element Layers</source>
+        <translation>Schichten der Elemente</translation>
     </message>
     <message>
         <source>Elements turned over against the surface.</source>
@@ -2115,6 +2187,10 @@
         <translation>Invertierte Elemente</translation>
     </message>
     <message>
+        <source>Layer Groups</source>
+        <translation>Gruppen der Schichten</translation>
+    </message>
+    <message>
         <source>Layers</source>
         <translation>Schichten</translation>
     </message>
@@ -2123,12 +2199,20 @@
         <translation>Schichten wachsen von jeder Randkante, solange keine Wand des Netzes anderes sagt.</translation>
     </message>
     <message>
+        <source>Makes a group of the elements of each layer, too: Layer1, Layer2, … and Core.</source>
+        <translation>Macht auch aus den Elementen jeder Schicht eine Gruppe: Layer1, Layer2, … und Core.</translation>
+    </message>
+    <message>
         <source>Max Angle</source>
         <translation>Größter Winkel</translation>
     </message>
     <message>
         <source>Mesh Id</source>
         <translation>Netzkennung</translation>
+    </message>
+    <message>
+        <source>Mesh edges on CAD edges: the edge and two nodes, counted from 0, of each.</source>
+        <translation>Netzkanten auf CAD-Kanten: von jeder die Kante und zwei Knoten, von 0 an gezählt.</translation>
     </message>
     <message>
         <source>Meshed Initial Mesh</source>
@@ -2317,6 +2401,10 @@
     <message>
         <source>The largest corner angle.</source>
         <translation>Der größte Eckenwinkel.</translation>
+    </message>
+    <message>
+        <source>The layer of each element; 0 for the core.</source>
+        <translation>Die Schicht jedes Elements; 0 für den Kern.</translation>
     </message>
     <message>
         <source>The layer that each node was extruded in; else 0.</source>

@@ -360,6 +360,10 @@
         <translation>Bord</translation>
     </message>
     <message>
+        <source>CGNS</source>
+        <translation>CGNS</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
     </message>
@@ -532,6 +536,10 @@
         <translation>Maillage initial</translation>
     </message>
     <message>
+        <source>Inp elements</source>
+        <translation>Éléments .inp</translation>
+    </message>
+    <message>
         <source>Input</source>
         <translation>Entrée</translation>
     </message>
@@ -550,6 +558,10 @@
     <message>
         <source>Layer Mesh</source>
         <translation>Maillage en couches</translation>
+    </message>
+    <message>
+        <source>Layer groups</source>
+        <translation>Groupes des couches</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -598,6 +610,10 @@
     <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Maille avec les réglages ci-dessous ; OK met ensuite le maillage dans le document</translation>
+    </message>
+    <message>
+        <source>Msh version</source>
+        <translation>Version .msh</translation>
     </message>
     <message>
         <source>Name</source>
@@ -704,8 +720,24 @@
         <translation>Résultats</translation>
     </message>
     <message>
+        <source>STL</source>
+        <translation>STL</translation>
+    </message>
+    <message>
+        <source>SU2</source>
+        <translation>SU2</translation>
+    </message>
+    <message>
+        <source>SU2 files have plane domains (x, y or z constant) and volumes, no surfaces: {}</source>
+        <translation>les fichiers SU2 ont des domaines plans (x, y ou z constant) et des volumes, pas de surfaces : {}</translation>
+    </message>
+    <message>
         <source>Salome MED</source>
         <translation>Salome MED</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
     </message>
     <message>
         <source>Segments</source>
@@ -846,6 +878,18 @@
     <message>
         <source>Turning angle</source>
         <translation>Angle de rotation</translation>
+    </message>
+    <message>
+        <source>UGRID</source>
+        <translation>UGRID</translation>
+    </message>
+    <message>
+        <source>UGRID, big-endian</source>
+        <translation>UGRID, gros-boutiste</translation>
+    </message>
+    <message>
+        <source>UGRID, little-endian</source>
+        <translation>UGRID, petit-boutiste</translation>
     </message>
     <message>
         <source>Until isotropic</source>
@@ -1308,6 +1352,10 @@
         <translation>a besoin du paquet Python meshio (python3-meshio) : {}</translation>
     </message>
     <message>
+        <source>needs the Python package {} (python3-{}): {}</source>
+        <translation>nécessite le paquet Python {} (python3-{}) : {}</translation>
+    </message>
+    <message>
         <source>no growth from 1 to {} makes {} layers from {} mm {} mm thick</source>
         <translation>aucune croissance de 1 à {} ne donne à {} couches partant de {} mm une épaisseur de {} mm</translation>
     </message>
@@ -1602,6 +1650,22 @@
     <message>
         <source>{} faces meet there</source>
         <translation>{} faces s'y rencontrent</translation>
+    </message>
+    <message>
+        <source>{} files have no edges: the group {} of {} would be lost in {}</source>
+        <translation>les fichiers {} n’ont pas d’arêtes : le groupe {} de {} serait perdu dans {}</translation>
+    </message>
+    <message>
+        <source>{} files have no elements of second order: {}</source>
+        <translation>les fichiers {} n’ont pas d’éléments du second ordre : {}</translation>
+    </message>
+    <message>
+        <source>{} files have no volume elements: {}</source>
+        <translation>les fichiers {} n’ont pas d’éléments de volume : {}</translation>
+    </message>
+    <message>
+        <source>{} files have one name for each element: {} is in the groups {} and {}, which {} cannot hold</source>
+        <translation>les fichiers {} ont un seul nom par élément : {} est dans les groupes {} et {}, que {} ne peut contenir</translation>
     </message>
     <message>
         <source>{} has a slit there</source>
@@ -1995,6 +2059,10 @@
         <translation>Chaque couche de cette paroi est plus haute que la précédente de ce facteur. 0 : non précisé.</translation>
     </message>
     <message>
+        <source>Edge Segments</source>
+        <translation>Segments d’arêtes</translation>
+    </message>
+    <message>
         <source>Edge length of the mesh away from the layers. Default: 1/40 of the diagonal of the shape's bounding box.</source>
         <translation>Longueur des arêtes du maillage hors des couches. Par défaut : 1/40 de la diagonale de la boîte englobante de la forme.</translation>
     </message>
@@ -2005,6 +2073,10 @@
     <message>
         <source>Edge length of the mesh. 0: not given.</source>
         <translation>Longueur des arêtes du maillage. 0 : non précisé.</translation>
+    </message>
+    <message>
+        <source>Element Layers</source>
+        <translation>Couches des éléments</translation>
     </message>
     <message>
         <source>Elements turned over against the surface.</source>
@@ -2115,6 +2187,10 @@
         <translation>Éléments inversés</translation>
     </message>
     <message>
+        <source>Layer Groups</source>
+        <translation>Groupes des couches</translation>
+    </message>
+    <message>
         <source>Layers</source>
         <translation>Couches</translation>
     </message>
@@ -2123,12 +2199,20 @@
         <translation>Les couches croissent depuis chaque arête de bord, tant qu'aucune paroi du maillage ne dit autre chose.</translation>
     </message>
     <message>
+        <source>Makes a group of the elements of each layer, too: Layer1, Layer2, … and Core.</source>
+        <translation>Fait aussi un groupe des éléments de chaque couche : Layer1, Layer2, … et Core.</translation>
+    </message>
+    <message>
         <source>Max Angle</source>
         <translation>Angle maximal</translation>
     </message>
     <message>
         <source>Mesh Id</source>
         <translation>Identifiant du maillage</translation>
+    </message>
+    <message>
+        <source>Mesh edges on CAD edges: the edge and two nodes, counted from 0, of each.</source>
+        <translation>Arêtes du maillage sur les arêtes CAO : de chacune l’arête et deux nœuds, comptés à partir de 0.</translation>
     </message>
     <message>
         <source>Meshed Initial Mesh</source>
@@ -2317,6 +2401,10 @@
     <message>
         <source>The largest corner angle.</source>
         <translation>Le plus grand angle de coin.</translation>
+    </message>
+    <message>
+        <source>The layer of each element; 0 for the core.</source>
+        <translation>La couche de chaque élément ; 0 pour le cœur.</translation>
     </message>
     <message>
         <source>The layer that each node was extruded in; else 0.</source>

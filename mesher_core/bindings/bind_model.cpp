@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "bindings.h"
 #include "geometry/evaluator.h"
+#include "geometry/face_boxes.h"
 #include "geometry/model.h"
 #include "geometry/solids.h"
 #include "run_interruptibly.h"
@@ -55,6 +56,19 @@ std::vector<std::vector<int>> solids(const Model& model) {
   return all;
 }
 
+py::list boxes(const Model& model) {
+  py::list corners;
+  for (const Box& box : face_boxes(model)) {
+    if (box.isEmpty()) {
+      corners.append(py::none());
+      continue;
+    }
+    const auto row = [](const Vec3& xyz) { return py::make_tuple(xyz.x(), xyz.y(), xyz.z()); };
+    corners.append(py::make_tuple(row(box.min()), row(box.max())));
+  }
+  return corners;
+}
+
 using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 Points project(const Model& model, int number, const Points& points) {
@@ -99,6 +113,9 @@ void bind_model(py::module_& module) {
                              "Whether every edge of a face is used by exactly two face sides.")
       .def_property_readonly("solids", &solids,
                              "The numbers of the faces around each solid, those of cavities too.")
+      .def_property_readonly("face_boxes", &boxes,
+                             "By face the least and the greatest corner of a box that holds it "
+                             "[mm]; None for a face without a surface.")
       .def("project", &project, py::arg("face"), py::arg("points"),
            "The point of a face, by number from 1, that is nearest to each of the points (n, 3)\n"
            "[mm]. Raises InvalidInput for a face that is not there.")

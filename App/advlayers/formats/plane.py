@@ -12,14 +12,14 @@ from advlayers.formats.mesh_parts import KINDS, Block, MeshParts
 _FLAT = 1e-9
 
 
-def axes(low, high) -> Optional[Tuple[int, int]]:
-    """The two axes of the plane between these corners of a bounding box; None where there is none.
-    """
+def axes(low, high, flat: float = _FLAT) -> Optional[Tuple[int, int]]:
+    """The two axes of the plane between these corners of a bounding box, `flat` of the diagonal
+    being nothing; None where there is none."""
     size = np.asarray(high, float) - np.asarray(low, float)
-    flat = np.flatnonzero(size <= _FLAT * np.linalg.norm(size))
-    if len(flat) != 1:
+    thin = np.flatnonzero(size <= flat * np.linalg.norm(size))
+    if len(thin) != 1:
         return None
-    return ((1, 2), (0, 2), (0, 1))[int(flat[0])]
+    return ((1, 2), (0, 2), (0, 1))[int(thin[0])]
 
 
 def turned_up(parts: MeshParts, plane: Tuple[int, int]) -> MeshParts:

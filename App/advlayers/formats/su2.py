@@ -2,10 +2,12 @@
 of faces."""
 from __future__ import annotations
 
+import os
 from typing import Any, Dict, List
 
 import numpy as np
 
+from advlayers.errors import InputError
 from advlayers.formats import plane, sides
 from advlayers.formats.mesh_parts import MeshParts, Run
 from advlayers.formats.plain_names import plain_names
@@ -19,13 +21,14 @@ _NAME_SIZE = 60
 
 
 def write(path: str, parts: MeshParts) -> None:
-    """Raises ValueError for a surface that is no plane domain."""
+    """Raises InputError for a surface that is no plane domain."""
     dimension = parts.dimension
     points = parts.nodes
     if dimension == 2:
         in_plane = plane.axes(points.min(axis=0), points.max(axis=0))
         if in_plane is None:
-            raise ValueError("SU2 has plane domains and volumes, no surfaces")
+            raise InputError("outputs", "SU2 files have plane domains (x, y or z constant) and "
+                             "volumes, no surfaces: {}", os.path.basename(path))
         parts = plane.turned_up(parts, in_plane)
         points = points[:, in_plane]
     cells = parts.of(dimension)

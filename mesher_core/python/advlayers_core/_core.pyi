@@ -65,6 +65,10 @@ class Model:
     @property
     def solids(self) -> List[List[int]]:
         """The numbers of the faces around each solid, those of cavities too."""
+    @property
+    def face_boxes(self) -> List[Optional[Tuple[Tuple[float, ...], Tuple[float, ...]]]]:
+        """By face the least and the greatest corner of a box that holds it [mm]; None for a face
+        without a surface."""
     def project(self, face: int, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """The point of a face, by number from 1, that is nearest to each of the points (n, 3) [mm].
 

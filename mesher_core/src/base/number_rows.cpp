@@ -60,6 +60,22 @@ std::string longest(double value, std::chars_format format, int width) {
   return {};
 }
 
+// For what fixed notation suits best, and most coordinates are: the same as fitted(), at once.
+// Empty: the number is none of these.
+std::string fitted_at_once(double value, int width) {
+  const double size = std::abs(value);
+  if (!(size >= 1e-3 && size < 1e6)) return {};
+  int whole = 0;  // digits before the point
+  for (double power = 1.0; power <= size; power *= 10.0) ++whole;
+  const int places = width - whole - 1 - (value < 0.0 ? 1 : 0);
+  char buffer[kMost];
+  char* end = std::to_chars(buffer, buffer + kMost, value, std::chars_format::fixed, places).ptr;
+  while (end[-1] == '0') --end;
+  std::string text = plain(buffer, end);
+  // Rounding may have made a digit more.
+  return text.size() <= static_cast<std::size_t>(width) ? text : std::string();
+}
+
 double value_of(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
 void append_padded(std::string& text, const char* begin, const char* end, int width) {
@@ -86,6 +102,7 @@ std::int64_t NumberColumn::integer(std::size_t row) const {
 double NumberColumn::real(std::size_t row) const { return at<double>(*this, row); }
 
 std::string fitted(double value, int width) {
+  if (std::string text = fitted_at_once(value, width); !text.empty()) return text;
   const std::size_t room = static_cast<std::size_t>(width);
   for (const auto format : {std::chars_format::fixed, std::chars_format::scientific}) {
     // The shortest fixed form of a huge number is its exact integer: as good, if it fits.

@@ -60,8 +60,8 @@ TEST(NumberRows, AFittedNumberKeepsItsWidthAndItsDigits) {
       const std::string text = fitted(value, width);
       EXPECT_LE(text.size(), static_cast<std::size_t>(width));
       EXPECT_NE(text.find('.'), std::string::npos) << text;
-      // A sign, a point and an exponent of three characters take digits.
-      const double digits = std::pow(10.0, -(width - 6));
+      // A sign, a point and an exponent of four characters leave ten digits of sixteen.
+      const double digits = std::pow(10.0, -(width - 7));
       EXPECT_NEAR(std::strtod(text.c_str(), nullptr), value, digits * std::abs(value)) << text;
     }
     EXPECT_EQ(one_row("%16w", value).size(), 16u);

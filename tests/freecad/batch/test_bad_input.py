@@ -34,6 +34,15 @@ BAD = {
     "initial mesh of no known format": ({"initial_mesh": "start.xyz"}, "initial_mesh"),
     "initial mesh that is a number": ({"initial_mesh": 5}, "initial_mesh"),
     "folder that is not there": ({"outputs": ["none/box.vtu"]}, "outputs"),
+    "edges into a file that has none": (
+        {"outputs": ["box.stl"], "groups": {"rim": ["Edge1"]}}, "outputs[0]"),
+    "two names for what has one": (
+        {"outputs": ["box.vtu", "box.ugrid"], "groups": {"a": ["Face1"], "b": ["Face1"]}},
+        "outputs[1]"),
+    "a solid's surface for SU2": ({"outputs": ["box.vtu", "box.su2"]}, "outputs[1]"),
+    "two files that write a third": ({"outputs": ["box.ugrid", "box.b8.ugrid"]}, "box.mapbc"),
+    "zero scale": ({"scale": 0}, "scale"),
+    "unknown version": ({"msh_version": "4.0"}, "msh_version"),
     "unknown format": ({"outputs": ["box.vtu", "box.xyz"]}, "outputs[1]"),
 }
 

@@ -44,13 +44,14 @@ def check_box(folder, report_name="r.json", vtu="box.vtu"):
 def euler_number(mesh):
     """Of a closed surface, every edge of which has exactly two elements."""
     edges = {}
-    for block in mesh.cells:
+    surface = [block for block in mesh.cells if block.type != "line"]
+    for block in surface:
         for cell in block.data.tolist():
             for a, b in zip(cell, cell[1:] + cell[:1]):
                 edges[(a, b)] = edges.get((a, b), 0) + 1
     assert set(edges.values()) == {1}
     assert all((b, a) in edges for a, b in edges)
-    return len(mesh.points) - len(edges) // 2 + sum(len(block.data) for block in mesh.cells)
+    return len(mesh.points) - len(edges) // 2 + sum(len(block.data) for block in surface)
 
 
 def test_faces_that_share_no_edge_are_sewn(batch, job, tmp_path):
@@ -67,6 +68,20 @@ def test_a_box(batch, job, tmp_path, name):
     assert (ran.status, ran.stderr) == (0, ""), ran.stdout
     assert files(tmp_path) == ["box.unv", "box.vtu", "r.json"]
     check_box(tmp_path)
+
+
+def test_every_format(batch, job, tmp_path):
+    """In metres, from one job; what other programs make of the files is tested elsewhere."""
+    from advlayers import export
+
+    endings = [ending for ending, entry in export.FORMATS.items()
+               if entry.needs != "FreeCAD" and ending not in (".su2", ".b8.ugrid", ".lb8.ugrid")]
+    ran = batch(job(input="box.step", **BOX, outputs=[f"box{ending}" for ending in endings],
+                    scale=0.001, groups={"inlet": ["Face1"]}))
+    assert (ran.status, ran.stderr) == (0, ""), ran.stdout
+    assert set(files(tmp_path)) == {f"box{ending}" for ending in endings} | {"box.mapbc"}
+    points = meshio.read(tmp_path / "box.vtu").points
+    assert np.ptp(points, axis=0) == pytest.approx([0.03, 0.02, 0.01], abs=1e-12)
 
 
 def test_iges_holds_faces_that_do_not_share_their_edges(batch, job, tmp_path):
