@@ -72,8 +72,8 @@ def _write_document(path: str, product: Product) -> None:
 FORMATS: Dict[str, Format] = {
     ".vtu": Format(
         "VTK unstructured grid", _plain(vtu.write),
-        "cell arrays face, layer, edge, solid and group with the field group_names; node arrays "
-        "layer and parent; exact", "lines of edges without a group", vtu.KINDS),
+        "cell arrays face, layer, edge, solid and group, a field per group with its number; node "
+        "arrays layer and parent; exact", "lines of edges without a group", vtu.KINDS),
     ".vtk": Format(
         "VTK legacy", _plain(vtk.write),
         "the arrays of .vtu; names of groups in the title; exact",

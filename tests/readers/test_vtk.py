@@ -70,8 +70,11 @@ def test_grids(tmp_path, name, ending):
 
 def check_groups(parts, grid, ending, arrays, cells):
     if ending == "vtu":
-        kept = grid.GetFieldData().GetAbstractArray("group_names")
-        names = [kept.GetValue(i) for i in range(kept.GetNumberOfValues())]
+        fields = grid.GetFieldData()
+        kept = {fields.GetArrayName(i): int(fields.GetArray(i).GetValue(0))
+                for i in range(fields.GetNumberOfArrays())}
+        names = sorted(kept, key=kept.get)
+        assert sorted(kept.values()) == list(range(1, len(kept) + 1))
     else:
         names = list(vtu.group_numbers(parts))
     assert {entry.name for entry in parts.groups} <= set(names)
@@ -137,3 +140,15 @@ def polygons(surface):
         found.setdefault(ids.GetNumberOfIds(), []).append(
             [ids.GetId(i) for i in range(ids.GetNumberOfIds())])
     return found
+
+
+def test_names_that_xml_does_not_like(tmp_path):
+    from dataclasses import replace
+
+    from advlayers.formats.mesh_parts import Group
+
+    parts = replace(case("facets"), groups=(Group('a < "b" & c', 2, (1,)),))
+    path = str(tmp_path / "mesh.vtu")
+    vtu.write(path, parts)
+    fields = read(path, vtk.vtkXMLUnstructuredGridReader).GetFieldData()
+    assert [fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())] == ['a < "b" & c']

@@ -7,6 +7,7 @@ from __future__ import annotations
 import base64
 import sys
 from typing import Any, BinaryIO, Callable, Dict, Iterable, Iterator, List, Tuple
+from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -30,8 +31,8 @@ Pieces = Iterable[Any]  # arrays, one after another
 
 def write(path: str, parts: MeshParts) -> None:
     """Cell arrays `face`, `layer` (0: core), `edge` and `solid` where there are lines and volumes,
-    and `group`: 1, 2, … for names in the field `group_names`, 0 for none. Node arrays `layer` and
-    `parent` (the node that it was extruded from, zero-based; -1: none)."""
+    and `group`: the number that stands in the field of the group's name, 0 for none. Node arrays
+    `layer` and `parent` (the node that it was extruded from, zero-based; -1: none)."""
     parts = drawn(parts)
     order = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
     with open(path, "wb") as file:
@@ -39,7 +40,7 @@ def write(path: str, parts: MeshParts) -> None:
             '<?xml version="1.0"?>\n'
             f'<VTKFile type="UnstructuredGrid" version="1.0" byte_order="{order}" '
             'header_type="UInt64">\n<UnstructuredGrid>\n'.encode("ascii"))
-        _write_names(file, list(group_numbers(parts)))
+        _write_names(file, group_numbers(parts))
         count = sum(len(block) for block in parts.blocks)
         file.write(f'<Piece NumberOfPoints="{len(parts.nodes)}" NumberOfCells="{count}">\n'
                    "<Points>\n".encode("ascii"))
@@ -131,15 +132,15 @@ def _offsets(parts: MeshParts, rows: int) -> Iterator[Any]:
             end += width * count
 
 
-def _write_names(file: BinaryIO, names: List[str]) -> None:
-    if not names:
+def _write_names(file: BinaryIO, numbers: Dict[str, int]) -> None:
+    """A field of one number for each name: not all readers know fields of texts."""
+    if not numbers:
         return
-    letters = np.frombuffer(b"".join(name.encode("utf-8") + b"\0" for name in names), np.uint8)
     file.write(b"<FieldData>\n")
-    file.write(f'<DataArray type="String" Name="group_names" NumberOfTuples="{len(names)}" '
-               'format="ascii">'.encode("ascii"))
-    file.write(" ".join(map(str, letters.tolist())).encode("ascii"))
-    file.write(b"</DataArray>\n</FieldData>\n")
+    for name, number in numbers.items():
+        file.write(f'<DataArray type="Int32" Name={quoteattr(name)} NumberOfTuples="1" '
+                   f'format="ascii">{number}</DataArray>\n'.encode("utf-8"))
+    file.write(b"</FieldData>\n")
 
 
 def _write_array(file: BinaryIO, name: str, kind: Any, length: int, pieces: Pieces,
