@@ -125,6 +125,21 @@ def _say(stderr, text: str) -> None:
     stderr.flush()
 
 
+def _open_streams() -> None:
+    """A daemon may have closed them: without, the first file opened takes their place."""
+    for number, name in ((0, "stdin"), (1, "stdout"), (2, "stderr")):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.dup2(os.open(os.devnull, os.O_RDWR), number)
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(number, "w" if number else "r", closefd=False))
+    # A path may be no text.
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+
+
 def _own_stderr():
     """stderr for us alone: what FreeCAD and its libraries print there goes to stdout instead."""
     sys.stderr.flush()
@@ -138,6 +153,7 @@ def _interrupt(_signal, _frame) -> None:
 
 
 def main() -> int:
+    _open_streams()
     stderr = _own_stderr()
     signal.signal(signal.SIGINT, _interrupt)
     signal.signal(signal.SIGTERM, _interrupt)

@@ -1,34 +1,44 @@
-"""CAD files and FreeCAD objects to the core's model."""
+"""CAD files and FreeCAD objects to the core's model.
+
+A file is read in a child process: one that crashes its reader, or keeps it busy without end, is an
+error of that file alone. What comes out of it, here as in the core, is BREP text.
+"""
 from __future__ import annotations
 
 import os
 import re
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
-from advlayers import faceted
+from advlayers import child, document_file
 from advlayers.errors import InputError
 from advlayers.freecad_versions import global_placement
 
-# Read by the core alone; FreeCAD's own reader is used where FreeCAD is the host, so that faces
-# and edges carry the very numbers that it shows.
-_PLAIN = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
-_FREECAD_ONLY = (".fcstd", ".stl")
+_FILES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".stl")  # the core reads them
+_DOCUMENT = ".fcstd"
 
 
 @dataclass
 class Cad:
     model: Any  # advlayers_core's Model
-    shape: Any = None  # Part.Shape; None without FreeCAD
+    text: str  # the shape as BREP
     label: str = ""  # of the object in an FCStd file
     note: str = ""  # how the object was chosen, where there was a choice
+
+    def shape(self):
+        """The Part.Shape; its faces and edges have the model's numbers."""
+        import Part
+
+        shape = Part.Shape()
+        shape.importBrepFromString(self.text)
+        return shape
 
 
 def check_readable(path: str, freecad: bool) -> None:
     """Raises InputError for an unknown ending, a missing file, or one that FreeCAD must read."""
     ending = os.path.splitext(path)[1].lower()
-    if ending not in _PLAIN + _FREECAD_ONLY:
-        known = " ".join(_PLAIN + _FREECAD_ONLY)
+    if ending not in _FILES + (_DOCUMENT,):
+        known = " ".join(_FILES + (_DOCUMENT,))
         raise InputError("input", "has the unknown format {} ({}): {}", repr(ending), known, path)
     if not os.path.exists(path):
         raise InputError("input", "does not exist: {}", path)
@@ -36,28 +46,30 @@ def check_readable(path: str, freecad: bool) -> None:
         raise InputError("input", "is no file: {}", path)
     if not os.access(path, os.R_OK):
         raise InputError("input", "cannot be read: {}", path)
-    if ending in _FREECAD_ONLY and not freecad:
+    if ending == _DOCUMENT and not freecad:
         raise InputError("input", "needs FreeCAD to be read: run the job with freecadcmd: {}", path)
 
 
-def read(core, path: str, wanted: Optional[str], freecad: bool, sew_tolerance: float = 0.0,
+def read(core, path: str, wanted: Optional[str], sew_tolerance: float = 0.0,
          context: Any = None) -> Cad:
     """Reads the file, and sews what it holds where the tolerance [mm] is not 0. Raises InputError
     naming it."""
     ending = os.path.splitext(path)[1].lower()
-    if wanted is not None and ending != ".fcstd":
+    if wanted is not None and ending != _DOCUMENT:
         raise InputError("object", "is for FCStd files only, got {}", repr(wanted))
+    label = note = ""
     try:
-        if not freecad:
-            return Cad(core.read_file(path, sew_tolerance, context))
-        if ending == ".fcstd":
-            return _read_document(core, path, wanted, sew_tolerance, context)
-        shape = faceted.shape_of_file(path) if ending == ".stl" else _read_shape(core, path)
+        if ending == _DOCUMENT:
+            text, label, note = child.call(
+                "input", path, os.path.getsize(path),
+                lambda: _read_document(core, path, wanted, sew_tolerance))
+        else:
+            text = core.brep_of_file(path, sew_tolerance, context)
+        return Cad(core.read_brep(text, sew_tolerance, context), text, label, note)
     except (RuntimeError, ValueError, OSError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("input", "cannot be used: {}: {}", _one_line(error), path) from error
-    return Cad(_model(core, shape, path, sew_tolerance, context), shape)
 
 
 def global_shape(document_object):
@@ -71,31 +83,21 @@ def global_shape(document_object):
     return shape
 
 
-def _model(core, shape, path: str, sew_tolerance: float, context: Any):
-    if shape.isNull() or not shape.Faces:
-        raise InputError("input", "holds no face to mesh: {}", path)
-    try:
-        return core.read_brep(shape.exportBrepToString(), sew_tolerance, context)
-    except (RuntimeError, ValueError) as error:
-        raise InputError("input", "cannot be used: {}: {}", _one_line(error), path) from error
-
-
-def _read_shape(core, path: str):
-    import Part
-
-    core.check_file(path)
-    return Part.read(path)
-
-
-def _read_document(core, path: str, wanted: Optional[str], sew_tolerance: float,
-                   context: Any) -> Cad:
+def _read_document(core, path: str, wanted: Optional[str],
+                   sew_tolerance: float) -> Tuple[str, str, str]:
+    """BREP text, label and note; the text has made a model."""
     import FreeCAD
 
+    document_file.check(path)
     document = FreeCAD.openDocument(path, True)
     try:
         chosen, note = _choose(document, wanted, path)
         shape = global_shape(chosen)
-        return Cad(_model(core, shape, path, sew_tolerance, context), shape, chosen.Label, note)
+        if shape.isNull() or not shape.Faces:
+            raise InputError("input", "holds no face to mesh: {}", path)
+        text = shape.exportBrepToString()
+        core.read_brep(text, sew_tolerance)
+        return text, chosen.Label, note
     finally:
         FreeCAD.closeDocument(document.Name)
 

@@ -17,6 +17,10 @@ class InputError(ValueError):
             self.sentence = Sentence("{} {}", (key, self.sentence))
         super().__init__(self.sentence.english)
 
+    def __reduce__(self):
+        """Errors of child processes come over as bytes."""
+        return _of_sentence, (self.key, self.sentence)
+
 
 class CoreMissing(RuntimeError):
     """The compiled core is not there, or not for this Python."""
@@ -28,6 +32,12 @@ class CoreMissing(RuntimeError):
 
 class Stopped(Exception):
     """The work was stopped on request."""
+
+
+def _of_sentence(key: str, sentence: Sentence) -> InputError:
+    error = InputError("", sentence.form, *sentence.values)
+    error.key = key
+    return error
 
 
 def _sentence(form: str, values) -> Sentence:

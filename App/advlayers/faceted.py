@@ -1,4 +1,4 @@
-"""Triangulated surfaces (STL files, FreeCAD's Mesh objects) as shapes of planar faces."""
+"""Triangulated surfaces: FreeCAD's Mesh objects as shapes of planar faces."""
 from __future__ import annotations
 
 from advlayers.errors import InputError
@@ -11,13 +11,6 @@ _SAME_POINT = 1e-6
 
 def is_mesh(document_object) -> bool:
     return document_object.isDerivedFrom("Mesh::Feature")
-
-
-def shape_of_file(path: str):
-    """Raises RuntimeError where the file holds no triangle, OSError and the like of FreeCAD."""
-    import Mesh
-
-    return _shape_of(Mesh.Mesh(path))
 
 
 def add_shape(mesh_object):

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from typing import Any, Dict, List, Mapping
 
+from advlayers import limits
 from advlayers.settings_table import MESH_SETTINGS
 
 # Of the diagonal: far above what saving changes, far below what a mesh would show.
@@ -19,7 +20,7 @@ _DEFAULTS = {entry.key: list(entry.default) if isinstance(entry.default, tuple) 
 
 def settings_text(settings: Mapping[str, Any]) -> str:
     """What the mesh depends on, in a fixed order; linked objects by their names."""
-    kept = {key: value for key, value in settings.items() if key != "threads"}
+    kept = {key: value for key, value in settings.items() if key not in ("threads", *limits.KEYS)}
     return json.dumps(kept, sort_keys=True, default=lambda linked: linked.Name)
 
 

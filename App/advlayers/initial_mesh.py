@@ -10,6 +10,7 @@ from typing import Any, Dict, List, Tuple
 
 import numpy as np
 
+from advlayers import child
 from advlayers.errors import InputError
 from advlayers.surface_arrays import CORNERS, triangles_of
 from advlayers.unv_file import read_unv
@@ -47,23 +48,34 @@ def check_readable(path: str, freecad: bool) -> None:
 
 
 def read(path: str) -> Arrays:
-    """Raises InputError naming the file."""
-    ending = os.path.splitext(path)[1].lower()
+    """Reads the file in a child process. Raises InputError naming it."""
     try:
-        if ending == ".unv":
-            points, cells = read_unv(path)
-        elif ending in _FREECAD:
-            import Fem
-
-            points, cells = _of_fem(Fem.read(path))
-        else:
-            points, cells = _of_meshio(path)
-        triangles = triangles_of(cells)
+        points, triangles = child.call(KEY, path, os.path.getsize(path), lambda: _read(path))
+    except InputError:
+        raise
     except Exception as error:  # each reader has its own ways to fail
         text = " ".join(str(error).split()) or type(error).__name__
         raise InputError(KEY, "cannot be read: {}: {}", text, path) from error
     if not len(triangles):
         raise InputError(KEY, "has no surface elements: {}", path)
+    return points, triangles
+
+
+def _read(path: str) -> Arrays:
+    ending = os.path.splitext(path)[1].lower()
+    if ending == ".unv":
+        points, cells = read_unv(path)
+    elif ending in _FREECAD:
+        import Fem
+
+        points, cells = _of_fem(Fem.read(path))
+    else:
+        points, cells = _of_meshio(path)
+    triangles = triangles_of(cells)
+    if len(triangles) and (triangles.min() < 0 or triangles.max() >= len(points)):
+        raise ValueError("an element has a node that is not there")
+    if not np.isfinite(points).all():
+        raise ValueError("a node is nowhere")
     return points, triangles
 
 

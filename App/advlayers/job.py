@@ -12,6 +12,8 @@ from advlayers.errors import InputError
 from advlayers.settings_check import check_all
 from advlayers.settings_table import EXPORT_SETTINGS, JOB_SETTINGS, MESH_SETTINGS
 
+_MOST_DIGITS = 300  # of a whole number; what has more is infinite, which no setting may be
+
 
 @dataclass(frozen=True)
 class Job:
@@ -63,16 +65,20 @@ def in_freecad() -> bool:
 
 def _read_json(path: str) -> Dict[str, Any]:
     def no_doubles(pairs):
-        seen = dict(pairs)
-        if len(seen) < len(pairs):
-            keys = [key for key, _ in pairs]
-            double = next(key for key in keys if keys.count(key) > 1)
-            raise InputError(double, "is given twice")
+        seen = {}
+        for key, value in pairs:
+            if key in seen:
+                raise InputError(key, "is given twice")
+            seen[key] = value
         return seen
+
+    def whole(text: str):
+        """Python refuses to read, or takes long for, numbers beyond all ranges."""
+        return int(text) if len(text) < _MOST_DIGITS else float(text)
 
     try:
         with open(path, encoding="utf-8-sig") as file:
-            values = json.load(file, object_pairs_hook=no_doubles)
+            values = json.load(file, object_pairs_hook=no_doubles, parse_int=whole)
     except OSError as error:
         raise InputError("", "cannot read the job file: {}", error.strerror) from error
     except UnicodeDecodeError as error:
@@ -112,6 +118,9 @@ def _check_files(job: Job, job_path: str) -> None:
             raise InputError(key, "would overwrite {}: {}", taken[real], path)
         taken[real] = key
         _check_target(key, path)
+    if job.report and (not job.report.lower().endswith(".json") or os.path.islink(job.report)):
+        raise InputError("report", "must be a file of its own that ends in .json, got {}",
+                         job.report)
 
 
 def _check_target(key: str, path: str) -> None:
@@ -120,7 +129,11 @@ def _check_target(key: str, path: str) -> None:
         raise InputError(key, "lies in a folder that does not exist: {}", folder)
     if not os.access(folder, os.W_OK | os.X_OK):
         raise InputError(key, "lies in a folder that cannot be written to: {}", folder)
+    if len(os.fsencode(os.path.basename(path))) > os.pathconf(folder, "PC_NAME_MAX"):
+        raise InputError(key, "has a name that is too long for its folder: {}", path)
     if os.path.isdir(path):
         raise InputError(key, "is a folder: {}", path)
+    if os.path.lexists(path) and not os.path.isfile(path):
+        raise InputError(key, "is no regular file: {}", path)
     if os.path.exists(path) and not os.access(path, os.W_OK):
         raise InputError(key, "cannot be overwritten: {}", path)

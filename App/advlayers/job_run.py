@@ -8,11 +8,11 @@ from typing import Any, Callable, Dict, List, Optional
 
 import numpy as np
 
-from advlayers import cad_input, export, flow_height, initial_mesh
+from advlayers import cad_input, export, flow_height, initial_mesh, limits
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.formats import mesh_parts
-from advlayers.job import Job, in_freecad
+from advlayers.job import Job
 from advlayers.meshing import Run, core_settings
 from advlayers.outputs import Outputs
 from advlayers.report import has_error, info, make_report, make_strict
@@ -31,15 +31,16 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     context = core.RunContext()
     begin = time.perf_counter()
     watch("read", [])
-    cad = cad_input.read(core, job.input, job.object, in_freecad(), job.settings["sew_tolerance"],
-                         context)
+    cad = cad_input.read(core, job.input, job.object, job.settings["sew_tolerance"], context)
     check_names(job.settings, cad.model.face_count, cad.model.edge_count, job.input_name)
     _check_shape(job, cad.model)
     settings = {**job.settings, initial_mesh.KEY: _initial_mesh(job)}
     seconds = {"read": time.perf_counter() - begin}
 
     try:
-        mesher = core.Mesher(cad.model, core_settings(core, settings, cad.model.diagonal), context)
+        for_core = core_settings(core, settings, cad.model.diagonal)
+        limits.check(core, cad.model, for_core, settings, context)
+        mesher = core.Mesher(cad.model, for_core, context)
     except core.InvalidInput as error:
         raise InputError("", "{}", error) from error
     mesh = Run(context, lambda: mesher).finish(lambda reports: watch(_stage(context), reports))
@@ -124,7 +125,7 @@ def _add_document(job: Job, cad: cad_input.Cad, mesh, product: export.Product) -
     product.document.Label = os.path.splitext(os.path.basename(job.input))[0]
     source = product.document.addObject("Part::Feature", "Shape")
     source.Label = cad.label or "Shape"
-    source.Shape = cad.shape
+    source.Shape = cad.shape()
     mesh_object = layer_mesh.create(source, **job.settings)
     parts = mesh_parts.of_mesh(mesh, job.settings["groups"], job.settings["layer_groups"])
     layer_mesh.set_mesh(mesh_object, mesh, fem_mesh.to_fem_mesh(parts),
@@ -140,6 +141,7 @@ def _close(document: Optional[Any]) -> None:
 
 
 def _write_json(path: str, report: Dict[str, Any]) -> None:
-    with open(path, "w", encoding="utf-8") as file:
+    # A name that is no text is escaped, as JSON does.
+    with open(path, "w", encoding="utf-8", errors="backslashreplace") as file:
         json.dump(report, file, indent=1, ensure_ascii=False, allow_nan=False)
         file.write("\n")

@@ -14,7 +14,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 import FreeCAD
 
 from advlayers import (
-    analysis, cad_input, controls, faceted, fem_mesh, freshness, initial_mesh, mesh_data,
+    analysis, cad_input, controls, faceted, fem_mesh, freshness, initial_mesh, limits, mesh_data,
     mesh_history, migrations, stored_mesh)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
@@ -137,7 +137,9 @@ class Task:
         """Reads the shape; may run in any thread. Raises what the core raises."""
         model = core.read_brep(self.brep, self.made_from.settings["sew_tolerance"], context)
         settings = {**self.made_from.settings, initial_mesh.KEY: self.initial}
-        return core.Mesher(model, core_settings(core, settings, model.diagonal), context)
+        for_core = core_settings(core, settings, model.diagonal)
+        limits.check(core, model, for_core, settings, context)
+        return core.Mesher(model, for_core, context)
 
     def make_fem_mesh(self, mesh, check: Optional[Callable[[], None]] = None):
         parts = mesh_parts.of_mesh(mesh, self.groups, self.made_from.settings["layer_groups"])

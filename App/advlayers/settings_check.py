@@ -11,6 +11,7 @@ from advlayers.settings_table import (
     REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Y_PLUS_SETTINGS, Setting, range_said)
 
 _NAME = re.compile(r"(Face|Edge)([1-9][0-9]*)")
+_UNV_MARK = "-1"
 # Names that the mesh gives to groups by itself.
 _OWN_GROUP = re.compile(r"(Face|Edge|Layer)[0-9]+|Core")
 
@@ -60,12 +61,12 @@ def check_names(settings: Mapping[str, Any], faces: int, edges: int, what: str) 
         check(f"sizes[{i}].faces", size["faces"])
     for key in ("match", "off", "boundary", "smooth"):
         check(key, settings[key])
+    meshed = None if settings["faces"] in ("all", ()) else set(settings["faces"])
     for group, names in settings["groups"].items():
         check(f"groups.{group}", names)
         for name in names:
-            if name.startswith("Face") and settings["faces"] not in ("all", ()):
-                if name not in settings["faces"]:
-                    raise InputError(f"groups.{group}", "names {}, which is not in faces", name)
+            if name.startswith("Face") and meshed is not None and name not in meshed:
+                raise InputError(f"groups.{group}", "names {}, which is not in faces", name)
 
 
 def _shown(value: Any) -> str:
@@ -127,9 +128,18 @@ def _flag(key: str, value: Any, _entry: Setting) -> bool:
 
 
 def _text(key: str, value: Any, _entry: Setting) -> str:
-    if not isinstance(value, str) or not value or "\0" in value:
+    if not isinstance(value, str) or not value or "\0" in value or not _is_text(value):
         raise InputError(key, "must be a text, got {}", _shown(value))
     return value
+
+
+def _is_text(value: str) -> bool:
+    """Bytes of a name that are no UTF-8 have a place of their own; half a character has none."""
+    try:
+        value.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _mesh(key: str, value: Any, entry: Setting) -> Any:
@@ -219,6 +229,9 @@ def _groups(key: str, value: Any, _entry: Setting) -> Dict[str, Tuple[str, ...]]
     for name, members in value.items():
         if not isinstance(name, str) or not name.strip() or not name.isprintable():
             raise InputError(key, "holds the name {}, which cannot be written", _shown(name))
+        if name.strip() == _UNV_MARK:
+            raise InputError(key, "holds the name {}, which ends a part of an I-DEAS file",
+                             _shown(name))
         if _OWN_GROUP.fullmatch(name):
             raise InputError(f"{key}.{name}", "is a name that the mesh itself gives to a group")
         groups[name] = _names(f"{key}.{name}", members, ("Face", "Edge"), empty=False)

@@ -91,6 +91,24 @@ OWN_SETTINGS = (
         group="Run",
     ),
     Setting(
+        "max_elements", "number", 0.0,
+        "A mesh that is estimated to have more elements is refused before it is begun; 0: two "
+        "million.",
+        low=0.0, group="Run", decimals=0,
+    ),
+    Setting(
+        "max_memory", "number", 0.0,
+        "A mesh that is estimated to take more megabytes is refused before it is begun; 0: four "
+        "fifths of the machine's memory.",
+        low=0.0, group="Run", decimals=0,
+    ),
+    Setting(
+        "max_seconds", "number", 0.0,
+        "A mesh that is estimated to take more seconds of computing is refused before it is begun; "
+        "0: ten minutes.",
+        low=0.0, group="Run", decimals=0,
+    ),
+    Setting(
         "groups", "groups", {},
         "Named groups for boundary conditions: a name and the CAD faces or edges in it.",
         child="Group",

@@ -600,6 +600,18 @@
         <translation>Entlang</translation>
     </message>
     <message>
+        <source>Max elements</source>
+        <translation>Höchste Elementzahl</translation>
+    </message>
+    <message>
+        <source>Max memory</source>
+        <translation>Höchster Speicher</translation>
+    </message>
+    <message>
+        <source>Max seconds</source>
+        <translation>Höchste Rechenzeit</translation>
+    </message>
+    <message>
         <source>Medit</source>
         <translation>Medit</translation>
     </message>
@@ -1000,12 +1012,28 @@
         <translation>so hoch wie breit</translation>
     </message>
     <message>
+        <source>asks for some {} elements, {} MB and {} s; {} allows {}</source>
+        <translation>verlangt etwa {} Elemente, {} MB und {} s; {} erlaubt {}</translation>
+    </message>
+    <message>
         <source>both_ends needs a cluster</source>
         <translation>Beide Enden braucht eine Verdichtung</translation>
     </message>
     <message>
         <source>cannot be overwritten: {}</source>
         <translation>lässt sich nicht überschreiben: {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: it does not end within {} s: {}</source>
+        <translation>kann nicht gelesen werden: es endet nicht innerhalb von {} s: {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: it takes more than {} MB: {}</source>
+        <translation>kann nicht gelesen werden: es braucht mehr als {} MB: {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: no process can be started for it: {}: {}</source>
+        <translation>kann nicht gelesen werden: kein Prozess kann dafür gestartet werden: {}: {}</translation>
     </message>
     <message>
         <source>cannot be read: {}</source>
@@ -1044,12 +1072,24 @@
         <translation>Fehler</translation>
     </message>
     <message>
+        <source>expands to {} MB: {}</source>
+        <translation>entpackt sich zu {} MB: {}</translation>
+    </message>
+    <message>
         <source>first height {} (blue)</source>
         <translation>erste Höhe {} (blau)</translation>
     </message>
     <message>
         <source>first height {} mm (Reynolds number {}); the boundary layer is some {} mm thick: {} layers of growth {}</source>
         <translation>erste Höhe {} mm (Reynolds-Zahl {}); die Grenzschicht ist etwa {} mm dick: {} Schichten mit Wachstum {}</translation>
+    </message>
+    <message>
+        <source>has a member outside of itself, {}: {}</source>
+        <translation>hat einen Bestandteil außerhalb seiner selbst, {}: {}</translation>
+    </message>
+    <message>
+        <source>has a name that is too long for its folder: {}</source>
+        <translation>hat einen Namen, der für seinen Ordner zu lang ist: {}</translation>
     </message>
     <message>
         <source>has no surface elements: {}</source>
@@ -1074,6 +1114,10 @@
     <message>
         <source>holds the name {}, which cannot be written</source>
         <translation>der Name {} lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>holds the name {}, which ends a part of an I-DEAS file</source>
+        <translation>enthält den Namen {}, der einen Teil einer I-DEAS-Datei beendet</translation>
     </message>
     <message>
         <source>holds {}, which is no face, edge or vertex</source>
@@ -1108,6 +1152,18 @@
         <translation>diesen Namen gibt das Netz selbst einer Gruppe</translation>
     </message>
     <message>
+        <source>is damaged, or no FreeCAD document: {}: {}</source>
+        <translation>ist beschädigt oder kein FreeCAD-Dokument: {}: {}</translation>
+    </message>
+    <message>
+        <source>is damaged: it has too many members, or one twice: {}</source>
+        <translation>ist beschädigt: es hat zu viele Bestandteile oder einen doppelt: {}</translation>
+    </message>
+    <message>
+        <source>is damaged: its reader crashes on it ({}): {}</source>
+        <translation>ist beschädigt: das Leseprogramm stürzt daran ab ({}): {}</translation>
+    </message>
+    <message>
         <source>is for FCStd files only, got {}</source>
         <translation>nur bei FCStd-Dateien, angegeben ist {}</translation>
     </message>
@@ -1120,6 +1176,10 @@
         <translation>fehlt</translation>
     </message>
     <message>
+        <source>is no FreeCAD document: it lacks {}: {}</source>
+        <translation>ist kein FreeCAD-Dokument: es fehlt {}: {}</translation>
+    </message>
+    <message>
         <source>is no file: {}</source>
         <translation>ist keine Datei: {}</translation>
     </message>
@@ -1130,6 +1190,10 @@
     <message>
         <source>is no known key (did you mean {}?)</source>
         <translation>ist kein bekannter Schlüssel (war {} gemeint?)</translation>
+    </message>
+    <message>
+        <source>is no regular file: {}</source>
+        <translation>ist keine gewöhnliche Datei: {}</translation>
     </message>
     <message>
         <source>it bounds no face</source>
@@ -1166,6 +1230,94 @@
     <message>
         <source>it is a pole without length</source>
         <translation>sie ist ein Pol ohne Länge</translation>
+    </message>
+    <message>
+        <source>it is cut off: it lacks the line {}</source>
+        <translation>sie ist abgeschnitten: die Zeile {} fehlt</translation>
+    </message>
+    <message>
+        <source>it is cut off: its last line is missing</source>
+        <translation>sie ist abgeschnitten: die letzte Zeile fehlt</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} ({}) cannot be read: {}</source>
+        <translation>sie ist beschädigt: #{} ({}) kann nicht gelesen werden: {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} ({}) is part of nothing</source>
+        <translation>sie ist beschädigt: #{} ({}) gehört zu nichts</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} ({}) refers to #{}, which is not there</source>
+        <translation>sie ist beschädigt: #{} ({}) verweist auf #{}, das nicht da ist</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} is given twice</source>
+        <translation>sie ist beschädigt: #{} steht zweimal darin</translation>
+    </message>
+    <message>
+        <source>it is damaged: an entry has lost a line</source>
+        <translation>sie ist beschädigt: einem Eintrag fehlt eine Zeile</translation>
+    </message>
+    <message>
+        <source>it is damaged: it holds no entity</source>
+        <translation>sie ist beschädigt: sie enthält nichts</translation>
+    </message>
+    <message>
+        <source>it is damaged: line {}: {}</source>
+        <translation>sie ist beschädigt: Zeile {}: {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: line {}: {} is missing</source>
+        <translation>sie ist beschädigt: Zeile {}: {} fehlt</translation>
+    </message>
+    <message>
+        <source>it is damaged: of the lines {} it has {}, its last line says {}</source>
+        <translation>sie ist beschädigt: von den Zeilen {} hat sie {}, ihre letzte Zeile nennt {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: the entry D{} has no parameters of its type {}</source>
+        <translation>sie ist beschädigt: der Eintrag D{} hat keine Parameter seines Typs {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: the entry D{} has no type</source>
+        <translation>sie ist beschädigt: der Eintrag D{} hat keinen Typ</translation>
+    </message>
+    <message>
+        <source>it is damaged: the face #{} or a bound of it could not be made</source>
+        <translation>sie ist beschädigt: die Fläche #{} oder ein Rand von ihr ließ sich nicht bilden</translation>
+    </message>
+    <message>
+        <source>it is damaged: the face D{} or a bound of it could not be made</source>
+        <translation>sie ist beschädigt: die Fläche D{} oder ein Rand von ihr ließ sich nicht bilden</translation>
+    </message>
+    <message>
+        <source>it is damaged: triangle {} has a corner that is nowhere</source>
+        <translation>sie ist beschädigt: das Dreieck {} hat eine Ecke, die nirgends liegt</translation>
+    </message>
+    <message>
+        <source>it is damaged: {} has no end</source>
+        <translation>sie ist beschädigt: {} hat kein Ende</translation>
+    </message>
+    <message>
+        <source>it is damaged: {} lies {} mm off {}</source>
+        <translation>sie ist beschädigt: {} liegt {} mm neben {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: {} triangles take {} bytes, it has {}</source>
+        <translation>sie ist beschädigt: {} Dreiecke brauchen {} Bytes, sie hat {}</translation>
+    </message>
+    <message>
+        <source>it is no IGES file: its first line is missing</source>
+        <translation>sie ist keine IGES-Datei: die erste Zeile fehlt</translation>
+    </message>
+    <message>
+        <source>it is no STEP file: it lacks the line {}</source>
+        <translation>sie ist keine STEP-Datei: die Zeile {} fehlt</translation>
+    </message>
+    <message>
+        <source>it is no STL file</source>
+        <translation>sie ist keine STL-Datei</translation>
     </message>
     <message>
         <source>it is not allowed to write there</source>
@@ -1214,6 +1366,10 @@
     <message>
         <source>must be "all" or a list of walls, got {}</source>
         <translation>verlangt ist "all" oder eine Liste von Wänden, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a file of its own that ends in .json, got {}</source>
+        <translation>muss eine eigene Datei sein, die auf .json endet, ist aber {}</translation>
     </message>
     <message>
         <source>must be a finite number, got {}</source>
@@ -1358,6 +1514,10 @@
     <message>
         <source>no growth from 1 to {} makes {} layers from {} mm {} mm thick</source>
         <translation>kein Wachstumsfaktor von 1 bis {} macht {} Schichten ab {} mm zusammen {} mm dick</translation>
+    </message>
+    <message>
+        <source>no shape could be read, it is no {} file or holds none</source>
+        <translation>keine Form war zu lesen, es ist keine {}-Datei oder sie enthält keine</translation>
     </message>
     <message>
         <source>no tetrahedron came out, exit status {}</source>
@@ -1888,24 +2048,20 @@
         <translation>{}: Netzkanten von {} lassen den Rand auf der falschen Seite</translation>
     </message>
     <message>
-        <source>{}: no shape could be read, it is no {} file or holds none</source>
-        <translation>{}: es ließ sich keine Form lesen, es ist keine {}-Datei oder enthält keine</translation>
+        <source>{}: no process can be started to read it: {}</source>
+        <translation>{}: kein Prozess kann gestartet werden, um sie zu lesen: {}</translation>
     </message>
     <message>
         <source>{}: point must be finite</source>
         <translation>{}: der Punkt muss endlich sein</translation>
     </message>
     <message>
-        <source>{}: the IGES file is cut off, or is none</source>
-        <translation>{}: die IGES-Datei ist abgeschnitten, oder keine</translation>
+        <source>{}: reading the {} file does not end within {} s</source>
+        <translation>{}: das Lesen der {}-Datei endet nicht innerhalb von {} s</translation>
     </message>
     <message>
-        <source>{}: the IGES file is damaged: OpenCASCADE's reader crashes on it</source>
-        <translation>{}: die IGES-Datei ist beschädigt: OpenCASCADE stürzt beim Lesen ab</translation>
-    </message>
-    <message>
-        <source>{}: the STEP file is damaged: {} {}: {}</source>
-        <translation>{}: die STEP-Datei ist beschädigt: {} {}: {}</translation>
+        <source>{}: reading the {} file takes more than {} MB</source>
+        <translation>{}: das Lesen der {}-Datei braucht mehr als {} MB</translation>
     </message>
     <message>
         <source>{}: the ending is none of {}</source>
@@ -1922,6 +2078,10 @@
     <message>
         <source>{}: the mesh of this step is not kept any more: update it.</source>
         <translation>{}: Das Netz dieses Schritts ist nicht mehr aufbewahrt: aktualisieren Sie es.</translation>
+    </message>
+    <message>
+        <source>{}: the {} file is damaged: its reader crashes on it ({})</source>
+        <translation>{}: die {}-Datei ist beschädigt: das Leseprogramm stürzt daran ab ({})</translation>
     </message>
     <message>
         <source>{}: there is no {}, edges of the model: {}</source>
@@ -1978,6 +2138,18 @@
 </context>
 <context>
     <name>App::Property</name>
+    <message>
+        <source>A mesh that is estimated to have more elements is refused before it is begun; 0: two million.</source>
+        <translation>Ein Netz, das nach der Schätzung mehr Elemente hat, wird abgelehnt, ehe es begonnen wird; 0: zwei Millionen.</translation>
+    </message>
+    <message>
+        <source>A mesh that is estimated to take more megabytes is refused before it is begun; 0: four fifths of the machine's memory.</source>
+        <translation>Ein Netz, das nach der Schätzung mehr Megabyte braucht, wird abgelehnt, ehe es begonnen wird; 0: vier Fünftel des Speichers.</translation>
+    </message>
+    <message>
+        <source>A mesh that is estimated to take more seconds of computing is refused before it is begun; 0: ten minutes.</source>
+        <translation>Ein Netz, das nach der Schätzung mehr Sekunden Rechenzeit braucht, wird abgelehnt, ehe es begonnen wird; 0: zehn Minuten.</translation>
+    </message>
     <message>
         <source>Air at 15 °C, or water at 20 °C, both at 1 bar.</source>
         <translation>Luft bei 15 °C oder Wasser bei 20 °C, beide bei 1 bar.</translation>
@@ -2205,6 +2377,18 @@
     <message>
         <source>Max Angle</source>
         <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>Max Elements</source>
+        <translation>Höchste Elementzahl</translation>
+    </message>
+    <message>
+        <source>Max Memory</source>
+        <translation>Höchster Speicher</translation>
+    </message>
+    <message>
+        <source>Max Seconds</source>
+        <translation>Höchste Rechenzeit</translation>
     </message>
     <message>
         <source>Mesh Id</source>

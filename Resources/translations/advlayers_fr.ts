@@ -600,6 +600,18 @@
         <translation>Suivre</translation>
     </message>
     <message>
+        <source>Max elements</source>
+        <translation>Éléments au plus</translation>
+    </message>
+    <message>
+        <source>Max memory</source>
+        <translation>Mémoire au plus</translation>
+    </message>
+    <message>
+        <source>Max seconds</source>
+        <translation>Secondes au plus</translation>
+    </message>
+    <message>
         <source>Medit</source>
         <translation>Medit</translation>
     </message>
@@ -1000,12 +1012,28 @@
         <translation>aussi haut que large</translation>
     </message>
     <message>
+        <source>asks for some {} elements, {} MB and {} s; {} allows {}</source>
+        <translation>demande environ {} éléments, {} Mo et {} s ; {} permet {}</translation>
+    </message>
+    <message>
         <source>both_ends needs a cluster</source>
         <translation>Deux bouts a besoin d'un resserrement</translation>
     </message>
     <message>
         <source>cannot be overwritten: {}</source>
         <translation>ne peut pas être écrasé : {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: it does not end within {} s: {}</source>
+        <translation>ne peut être lu : la lecture ne finit pas en {} s : {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: it takes more than {} MB: {}</source>
+        <translation>ne peut être lu : il faut plus de {} Mo : {}</translation>
+    </message>
+    <message>
+        <source>cannot be read: no process can be started for it: {}: {}</source>
+        <translation>ne peut être lu : aucun processus ne peut être lancé pour cela : {} : {}</translation>
     </message>
     <message>
         <source>cannot be read: {}</source>
@@ -1044,12 +1072,24 @@
         <translation>erreur</translation>
     </message>
     <message>
+        <source>expands to {} MB: {}</source>
+        <translation>se décompresse en {} Mo : {}</translation>
+    </message>
+    <message>
         <source>first height {} (blue)</source>
         <translation>première hauteur {} (bleu)</translation>
     </message>
     <message>
         <source>first height {} mm (Reynolds number {}); the boundary layer is some {} mm thick: {} layers of growth {}</source>
         <translation>première hauteur {} mm (nombre de Reynolds {}) ; la couche limite a une épaisseur d'environ {} mm : {} couches de croissance {}</translation>
+    </message>
+    <message>
+        <source>has a member outside of itself, {}: {}</source>
+        <translation>a un élément en dehors de lui-même, {} : {}</translation>
+    </message>
+    <message>
+        <source>has a name that is too long for its folder: {}</source>
+        <translation>a un nom trop long pour son dossier : {}</translation>
     </message>
     <message>
         <source>has no surface elements: {}</source>
@@ -1074,6 +1114,10 @@
     <message>
         <source>holds the name {}, which cannot be written</source>
         <translation>le nom {} ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>holds the name {}, which ends a part of an I-DEAS file</source>
+        <translation>contient le nom {}, qui termine une partie d’un fichier I-DEAS</translation>
     </message>
     <message>
         <source>holds {}, which is no face, edge or vertex</source>
@@ -1108,6 +1152,18 @@
         <translation>ce nom est donné par le maillage lui-même à un groupe</translation>
     </message>
     <message>
+        <source>is damaged, or no FreeCAD document: {}: {}</source>
+        <translation>est endommagé ou n’est pas un document FreeCAD : {} : {}</translation>
+    </message>
+    <message>
+        <source>is damaged: it has too many members, or one twice: {}</source>
+        <translation>est endommagé : il a trop d’éléments, ou un en double : {}</translation>
+    </message>
+    <message>
+        <source>is damaged: its reader crashes on it ({}): {}</source>
+        <translation>est endommagé : son lecteur plante ({}) : {}</translation>
+    </message>
+    <message>
         <source>is for FCStd files only, got {}</source>
         <translation>pour les fichiers FCStd seulement, donné : {}</translation>
     </message>
@@ -1120,6 +1176,10 @@
         <translation>manque</translation>
     </message>
     <message>
+        <source>is no FreeCAD document: it lacks {}: {}</source>
+        <translation>n’est pas un document FreeCAD : {} manque : {}</translation>
+    </message>
+    <message>
         <source>is no file: {}</source>
         <translation>n'est pas un fichier : {}</translation>
     </message>
@@ -1130,6 +1190,10 @@
     <message>
         <source>is no known key (did you mean {}?)</source>
         <translation>n'est pas une clé connue (vouliez-vous dire {} ?)</translation>
+    </message>
+    <message>
+        <source>is no regular file: {}</source>
+        <translation>n’est pas un fichier ordinaire : {}</translation>
     </message>
     <message>
         <source>it bounds no face</source>
@@ -1166,6 +1230,94 @@
     <message>
         <source>it is a pole without length</source>
         <translation>c'est un pôle sans longueur</translation>
+    </message>
+    <message>
+        <source>it is cut off: it lacks the line {}</source>
+        <translation>il est tronqué : la ligne {} manque</translation>
+    </message>
+    <message>
+        <source>it is cut off: its last line is missing</source>
+        <translation>il est tronqué : la dernière ligne manque</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} ({}) cannot be read: {}</source>
+        <translation>il est endommagé : #{} ({}) ne peut être lu : {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} ({}) is part of nothing</source>
+        <translation>il est endommagé : #{} ({}) n’appartient à rien</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} ({}) refers to #{}, which is not there</source>
+        <translation>il est endommagé : #{} ({}) renvoie à #{}, qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>it is damaged: #{} is given twice</source>
+        <translation>il est endommagé : #{} y figure deux fois</translation>
+    </message>
+    <message>
+        <source>it is damaged: an entry has lost a line</source>
+        <translation>il est endommagé : une entrée a perdu une ligne</translation>
+    </message>
+    <message>
+        <source>it is damaged: it holds no entity</source>
+        <translation>il est endommagé : il ne contient aucune entité</translation>
+    </message>
+    <message>
+        <source>it is damaged: line {}: {}</source>
+        <translation>il est endommagé : ligne {} : {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: line {}: {} is missing</source>
+        <translation>il est endommagé : ligne {} : {} manque</translation>
+    </message>
+    <message>
+        <source>it is damaged: of the lines {} it has {}, its last line says {}</source>
+        <translation>il est endommagé : il a, des lignes {}, {}, sa dernière ligne en annonce {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: the entry D{} has no parameters of its type {}</source>
+        <translation>il est endommagé : l’entrée D{} n’a pas de paramètres de son type {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: the entry D{} has no type</source>
+        <translation>il est endommagé : l’entrée D{} n’a pas de type</translation>
+    </message>
+    <message>
+        <source>it is damaged: the face #{} or a bound of it could not be made</source>
+        <translation>il est endommagé : la face #{} ou un de ses bords n’a pu être construit</translation>
+    </message>
+    <message>
+        <source>it is damaged: the face D{} or a bound of it could not be made</source>
+        <translation>il est endommagé : la face D{} ou un de ses bords n’a pu être construit</translation>
+    </message>
+    <message>
+        <source>it is damaged: triangle {} has a corner that is nowhere</source>
+        <translation>il est endommagé : le triangle {} a un coin qui n’est nulle part</translation>
+    </message>
+    <message>
+        <source>it is damaged: {} has no end</source>
+        <translation>il est endommagé : {} n’a pas de fin</translation>
+    </message>
+    <message>
+        <source>it is damaged: {} lies {} mm off {}</source>
+        <translation>il est endommagé : {} est à {} mm de {}</translation>
+    </message>
+    <message>
+        <source>it is damaged: {} triangles take {} bytes, it has {}</source>
+        <translation>il est endommagé : {} triangles prennent {} octets, il en a {}</translation>
+    </message>
+    <message>
+        <source>it is no IGES file: its first line is missing</source>
+        <translation>ce n’est pas un fichier IGES : la première ligne manque</translation>
+    </message>
+    <message>
+        <source>it is no STEP file: it lacks the line {}</source>
+        <translation>ce n’est pas un fichier STEP : la ligne {} manque</translation>
+    </message>
+    <message>
+        <source>it is no STL file</source>
+        <translation>ce n’est pas un fichier STL</translation>
     </message>
     <message>
         <source>it is not allowed to write there</source>
@@ -1214,6 +1366,10 @@
     <message>
         <source>must be "all" or a list of walls, got {}</source>
         <translation>attendu "all" ou une liste de parois, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a file of its own that ends in .json, got {}</source>
+        <translation>doit être un fichier à part qui finit par .json, reçu {}</translation>
     </message>
     <message>
         <source>must be a finite number, got {}</source>
@@ -1358,6 +1514,10 @@
     <message>
         <source>no growth from 1 to {} makes {} layers from {} mm {} mm thick</source>
         <translation>aucune croissance de 1 à {} ne donne à {} couches partant de {} mm une épaisseur de {} mm</translation>
+    </message>
+    <message>
+        <source>no shape could be read, it is no {} file or holds none</source>
+        <translation>aucune forme n’a pu être lue, ce n’est pas un fichier {} ou il n’en contient pas</translation>
     </message>
     <message>
         <source>no tetrahedron came out, exit status {}</source>
@@ -1888,24 +2048,20 @@
         <translation>{} : des arêtes de maillage de {} laissent le contour du mauvais côté</translation>
     </message>
     <message>
-        <source>{}: no shape could be read, it is no {} file or holds none</source>
-        <translation>{} : aucune forme n'a pu être lue, ce n'est pas un fichier {} ou il n'en contient pas</translation>
+        <source>{}: no process can be started to read it: {}</source>
+        <translation>{} : aucun processus ne peut être lancé pour le lire : {}</translation>
     </message>
     <message>
         <source>{}: point must be finite</source>
         <translation>{} : le point doit être fini</translation>
     </message>
     <message>
-        <source>{}: the IGES file is cut off, or is none</source>
-        <translation>{} : le fichier IGES est tronqué, ou n'en est pas un</translation>
+        <source>{}: reading the {} file does not end within {} s</source>
+        <translation>{} : la lecture du fichier {} ne finit pas en {} s</translation>
     </message>
     <message>
-        <source>{}: the IGES file is damaged: OpenCASCADE's reader crashes on it</source>
-        <translation>{} : le fichier IGES est endommagé : le lecteur d'OpenCASCADE s'y arrête brutalement</translation>
-    </message>
-    <message>
-        <source>{}: the STEP file is damaged: {} {}: {}</source>
-        <translation>{} : le fichier STEP est endommagé : {} {} : {}</translation>
+        <source>{}: reading the {} file takes more than {} MB</source>
+        <translation>{} : la lecture du fichier {} prend plus de {} Mo</translation>
     </message>
     <message>
         <source>{}: the ending is none of {}</source>
@@ -1922,6 +2078,10 @@
     <message>
         <source>{}: the mesh of this step is not kept any more: update it.</source>
         <translation>{} : le maillage de cette étape n'est plus conservé : mettez-le à jour.</translation>
+    </message>
+    <message>
+        <source>{}: the {} file is damaged: its reader crashes on it ({})</source>
+        <translation>{} : le fichier {} est endommagé : son lecteur plante ({})</translation>
     </message>
     <message>
         <source>{}: there is no {}, edges of the model: {}</source>
@@ -1978,6 +2138,18 @@
 </context>
 <context>
     <name>App::Property</name>
+    <message>
+        <source>A mesh that is estimated to have more elements is refused before it is begun; 0: two million.</source>
+        <translation>Un maillage qui aurait, d’après l’estimation, plus d’éléments est refusé avant d’être commencé ; 0 : deux millions.</translation>
+    </message>
+    <message>
+        <source>A mesh that is estimated to take more megabytes is refused before it is begun; 0: four fifths of the machine's memory.</source>
+        <translation>Un maillage qui prendrait, d’après l’estimation, plus de mégaoctets est refusé avant d’être commencé ; 0 : quatre cinquièmes de la mémoire.</translation>
+    </message>
+    <message>
+        <source>A mesh that is estimated to take more seconds of computing is refused before it is begun; 0: ten minutes.</source>
+        <translation>Un maillage qui prendrait, d’après l’estimation, plus de secondes de calcul est refusé avant d’être commencé ; 0 : dix minutes.</translation>
+    </message>
     <message>
         <source>Air at 15 °C, or water at 20 °C, both at 1 bar.</source>
         <translation>Air à 15 °C ou eau à 20 °C, les deux à 1 bar.</translation>
@@ -2205,6 +2377,18 @@
     <message>
         <source>Max Angle</source>
         <translation>Angle maximal</translation>
+    </message>
+    <message>
+        <source>Max Elements</source>
+        <translation>Éléments au plus</translation>
+    </message>
+    <message>
+        <source>Max Memory</source>
+        <translation>Mémoire au plus</translation>
+    </message>
+    <message>
+        <source>Max Seconds</source>
+        <translation>Secondes au plus</translation>
     </message>
     <message>
         <source>Mesh Id</source>

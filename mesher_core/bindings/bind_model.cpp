@@ -8,6 +8,7 @@
 #include "bindings.h"
 #include "geometry/evaluator.h"
 #include "geometry/face_boxes.h"
+#include "geometry/file_gate.h"
 #include "geometry/model.h"
 #include "geometry/solids.h"
 #include "run_interruptibly.h"
@@ -32,19 +33,26 @@ std::shared_ptr<Model> model_of_text(const std::string& text, const py::object& 
       *context, [&] { return std::make_shared<Model>(read_brep(*context, text, tolerance)); });
 }
 
+// As the system has it: a name that is no text is one too.
+std::string name_of(const py::object& path) {
+  return py::module_::import("os").attr("fsencode")(path).cast<std::string>();
+}
+
 std::shared_ptr<Model> model_of_file(const py::object& path, const py::object& sew_tolerance,
                                      const std::shared_ptr<RunContext>& given) {
-  const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const std::string name = name_of(path);
   const double tolerance = tolerance_of(sew_tolerance);
   const std::shared_ptr<RunContext> context = given_or_own(given);
   return run_interruptibly(
       *context, [&] { return std::make_shared<Model>(read_file(*context, name, tolerance)); });
 }
 
-void check_file_at(const py::object& path) {
-  const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
-  const py::gil_scoped_release release;
-  check_file(name);
+py::str text_of_file(const py::object& path, const py::object& sew_tolerance,
+                     const std::shared_ptr<RunContext>& given) {
+  const std::string name = name_of(path);
+  const double tolerance = tolerance_of(sew_tolerance);
+  const std::shared_ptr<RunContext> context = given_or_own(given);
+  return run_interruptibly(*context, [&] { return brep_of_file(*context, name, tolerance); });
 }
 
 std::vector<std::vector<int>> solids(const Model& model) {
@@ -126,16 +134,19 @@ void bind_model(py::module_& module) {
       "Reads BREP text, as FreeCAD's Shape.exportBrepToString() gives it. Faces whose edges\n"
       "lie within sew_tolerance [mm] of each other are joined there; 0: none are.\n\n"
       "Raises InvalidInput if the text is no BREP, GeometryError if it holds no face.");
-  module.def("check_file", &check_file_at, py::arg("path"),
-             "Raises InvalidInput where OpenCASCADE's reader crashes on an IGES file, as it does\n"
-             "on some damaged ones. read_file() asks by itself; ask before another program's\n"
-             "reader is let at a file that nobody vouches for.");
+  module.def(
+      "brep_of_file", &text_of_file, py::arg("path"), py::arg("sew_tolerance") = 0.0,
+      py::arg("context") = py::none(),
+      "BREP text of what .step .stp .iges .igs .brep .brp .stl files hold, by the ending in\n"
+      "any case; in mm. The file is read in a child process, so that one that crashes\n"
+      "OpenCASCADE's readers, or keeps them busy without end, is an error; so is one of\n"
+      "which not everything arrives. What read_brep() makes of the text with the same\n"
+      "sew_tolerance was tried there, too.\n\n"
+      "Raises InvalidInput for a missing, damaged or unreadable file, GeometryError if it\n"
+      "holds no face, Cancelled.");
   module.def("read_file", &model_of_file, py::arg("path"), py::arg("sew_tolerance") = 0.0,
              py::arg("context") = py::none(),
-             "Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as\n"
-             "read_brep() does.\n\n"
-             "Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no\n"
-             "face.");
+             "read_brep(brep_of_file(path, sew_tolerance), sew_tolerance).");
 }
 
 }  // namespace advlayers::python

@@ -7,6 +7,8 @@ namespace advlayers::python {
 
 void bind_errors(pybind11::module_& module);
 void bind_context(pybind11::module_& module);
+void bind_child(pybind11::module_& module);
+void bind_estimate(pybind11::module_& module);
 void bind_model(pybind11::module_& module);
 void bind_settings(pybind11::module_& module);
 void bind_result(pybind11::module_& module);

@@ -6,8 +6,10 @@ PYBIND11_MODULE(_core, module) {
       "Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees.";
   bind_errors(module);
   bind_context(module);
+  bind_child(module);
   bind_model(module);
   bind_settings(module);
+  bind_estimate(module);
   bind_result(module);
   bind_mesher(module);
   bind_number_rows(module);

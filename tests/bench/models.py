@@ -27,7 +27,7 @@ BATCH = os.path.join(ROOT, "App", "advlayers_batch.py")
 ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd", ".stl")
 READ = """import sys, freecad_part, advlayers_core as core
 from advlayers import cad_input
-print(cad_input.read(core, sys.argv[1], None, True).model.diagonal)"""
+print(cad_input.read(core, sys.argv[1], None).model.diagonal)"""
 LONGEST, LARGEST = 60.0, 1024.0  # [s], [MB]
 HEAD = (f"{'file':28s} {'N':>3s} {'faces':>5s} {'patches':>7s} {'elements':>8s} {'quads %':>7s} "
         f"{'layers':>6s} {'45-135':>6s} {'< 20':>6s} {'> 160':>6s} {'inv':>3s} {'exit':>4s} "

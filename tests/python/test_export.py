@@ -100,16 +100,6 @@ def test_formats_say_truly_which_kinds_they_have(parts, tmp_path):
         assert kind in mesh_parts.KINDS, (entry.title, kind)
 
 
-def test_outputs_appear_together(tmp_path):
-    first, second = str(tmp_path / "a.txt"), str(tmp_path / "b.txt")
-    with Outputs() as outputs:
-        for path in (first, second):
-            outputs.write(path, lambda temporary: open(temporary, "w").write("new"))
-            assert not os.path.exists(first)
-        outputs.publish()
-    assert sorted(os.listdir(tmp_path)) == ["a.txt", "b.txt"]
-
-
 def test_a_writer_sees_the_name_of_the_file_and_may_write_more(tmp_path):
     def write(temporary):
         assert os.path.basename(temporary) == "a.txt"
@@ -120,28 +110,6 @@ def test_a_writer_sees_the_name_of_the_file_and_may_write_more(tmp_path):
         outputs.write(str(tmp_path / "a.txt"), write)
         outputs.publish()
     assert sorted(os.listdir(tmp_path)) == ["a.txt", "a.txt.more"]
-
-
-def test_a_failed_output_leaves_the_older_files(tmp_path):
-    first, second = str(tmp_path / "a.txt"), str(tmp_path / "b.txt")
-    open(first, "w").write("old")
-
-    def fail(temporary):
-        open(temporary, "w").write("half")
-        raise OSError("disk full")
-
-    with pytest.raises(OSError), Outputs() as outputs:
-        outputs.write(first, lambda temporary: open(temporary, "w").write("new"))
-        outputs.write(second, fail)
-        outputs.publish()
-    assert os.listdir(tmp_path) == ["a.txt"] and open(first).read() == "old"
-
-
-def test_a_writer_that_wrote_nothing_is_an_error(tmp_path):
-    for writer in (lambda temporary: None, lambda temporary: open(temporary, "w").close()):
-        with pytest.raises(OSError, match="nothing was written"), Outputs() as outputs:
-            outputs.write(str(tmp_path / "a.txt"), writer)
-    assert os.listdir(tmp_path) == []
 
 
 def test_unknown_formats_name_the_known_ones():

@@ -9,9 +9,10 @@
 Lengths are in mm, angles in degrees.
 """
 try:
-    from ._core import (Cancelled, GeometryError, InternalError, InvalidInput, LayerReport, Mesh,
-                        Mesher, Model, RunContext, Settings, check_file, number_rows, read_brep,
-                        read_file, resolve_wall, schema)
+    from ._core import (Cancelled, ChildFailed, GeometryError, InternalError, InvalidInput,
+                        LayerReport, Mesh, Mesher, Model, RunContext, Settings, brep_of_file,
+                        estimate, in_child, number_rows, read_brep, read_file, resolve_wall,
+                        schema)
 except ModuleNotFoundError as error:
     if error.name != __name__ + "._core":
         raise
@@ -20,6 +21,7 @@ except ModuleNotFoundError as error:
         "the meshing core is not built for this Python ({}.{}); build it with `./dev install` in "
         "the add-on's folder".format(*_sys.version_info[:2])) from error
 
-__all__ = ["Cancelled", "GeometryError", "InternalError", "InvalidInput", "LayerReport", "Mesh",
-           "Mesher", "Model", "RunContext", "Settings", "check_file", "number_rows", "read_brep",
-           "read_file", "resolve_wall", "schema"]
+__all__ = ["Cancelled", "ChildFailed", "GeometryError", "InternalError", "InvalidInput",
+           "LayerReport", "Mesh", "Mesher", "Model", "RunContext", "Settings", "brep_of_file",
+           "estimate", "in_child", "number_rows", "read_brep", "read_file", "resolve_wall",
+           "schema"]

@@ -1,6 +1,6 @@
 """Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees."""
 import os
-from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Literal, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,21 +90,38 @@ def number_rows(form: str, *arrays: NDArray[Any]) -> bytes:
     numbers of each row. Arrays are of float64, int32 or int64.
     """
 
-def check_file(path: Union[str, "os.PathLike[str]"]) -> None:
-    """Raises InvalidInput where OpenCASCADE's reader crashes on an IGES file, as it does on some
-    damaged ones. read_file() asks by itself; ask before another program's reader is let at a file
-    that nobody vouches for.
+def brep_of_file(path: Union[str, bytes, "os.PathLike[str]"], sew_tolerance: float = ...,
+                 context: Optional[RunContext] = ...) -> str:
+    """BREP text of what .step .stp .iges .igs .brep .brp .stl files hold, by the ending in any
+    case; in mm. The file is read in a child process, so that one that crashes OpenCASCADE's
+    readers, or keeps them busy without end, is an error; so is one of which not everything arrives.
+    What read_brep() makes of the text with the same sew_tolerance was tried there, too.
+
+    Raises InvalidInput for a missing, damaged or unreadable file, GeometryError if it holds no
+    face, Cancelled.
     """
 
-def read_file(
-    path: Union[str, "os.PathLike[str]"], sew_tolerance: float = ...,
-    context: Optional[RunContext] = ...
-) -> Model:
-    """Reads .step .stp .iges .igs .brep .brp by the ending, in any case; in mm. Sews as
-    read_brep() does.
+def read_file(path: Union[str, bytes, "os.PathLike[str]"], sew_tolerance: float = ...,
+              context: Optional[RunContext] = ...) -> Model:
+    """read_brep(brep_of_file(path, sew_tolerance), sew_tolerance)."""
 
-    Raises InvalidInput for a missing or unreadable file, GeometryError if it holds no face;
-    Cancelled.
+def estimate(
+    model: Model, settings: "Settings", context: Optional[RunContext] = ...
+) -> Dict[str, Any]:
+    """What a mesh will take, within a factor of some three, before anything is made: "elements",
+    "megabytes" of memory, "seconds" of computing on one processor, and "driver", the key of the
+    setting that most of the elements are for.
+    """
+
+class ChildFailed(RuntimeError):
+    """What was done in a child process crashed, passed its limits, or could not be begun."""
+
+    reason: Literal["crashed", "seconds", "megabytes", "not started"]
+
+def in_child(act: Callable[[], bytes], seconds: float, megabytes: float) -> bytes:
+    """The bytes that act() returns in a copy of this process, which may compute for so long and
+    take so much memory beyond what is in use: what crashes or never ends does so there. Raises
+    ChildFailed.
     """
 
 class Settings:

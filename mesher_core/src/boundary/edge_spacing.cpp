@@ -54,6 +54,11 @@ EdgeSpacing::Station EdgeSpacing::station(double t, double inward) const {
   st.s = evaluator_->edge_length(edge_, t_begin_, t);
   st.xyz = evaluator_->edge_point(edge_, t);
   st.tangent = evaluator_->edge_tangent(edge_, t + inward);
+  st.size = limits_.size;
+  for (const Side& side : *sides_) {
+    if (!limits_.sizes->refined()) break;
+    st.size = std::min(st.size, limits_.sizes->near(st.xyz, side.face, limits_.size));
+  }
   for (const Side& side : *sides_) {
     if (evaluator_->model().face(side.face).kind == SurfaceKind::kPlane) continue;
     const Vec2 uv = evaluator_->edge_uv(side.face, side.coedge, t);
@@ -85,37 +90,25 @@ double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
   return spacing;
 }
 
-// And by the points of refinement and an initial mesh, within the limits alone.
-double EdgeSpacing::cell_spacing(const Station& a, const Station& b) const {
-  double spacing = turn_spacing(a, b);
-  if (!limits_.sizes->refined()) return spacing;
-  for (const Vec3& p : {a.xyz, b.xyz}) {
-    for (const Side& side : *sides_) {
-      const double size = limits_.sizes->near(p, side.face, limits_.size);
-      if (size < limits_.size) spacing = std::min(spacing, size);
-    }
-  }
-  return spacing;
-}
-
 void EdgeSpacing::refine(const Station& a, const Station& b, int depth) {
   const Station mid = station(0.5 * (a.t + b.t), 0.0);
-  const double left = cell_spacing(a, mid), right = cell_spacing(mid, b);
+  const double left = turn_spacing(a, mid), right = turn_spacing(mid, b);
   const double ds = std::max(mid.s - a.s, b.s - mid.s);
   // A finer place is felt over some sizes: no cell may be wider.
-  const bool coarse =
-      ds > kCellPart * std::min({left, right}) || (limits_.sizes->refined() && ds > limits_.size);
+  const bool coarse = ds > kCellPart * std::min({left, right, a.size, mid.size, b.size}) ||
+                      (limits_.sizes->refined() && ds > limits_.size);
   if (depth < kMinDepth || (coarse && depth < kMaxDepth)) {
     refine(a, mid, depth + 1);
     refine(mid, b, depth + 1);
     return;
   }
-  // Each sample takes the finer of its two cells.
-  samples_.back().spacing = std::min(samples_.back().spacing, left);
+  // Each sample takes the finer of its two cells, and the size of its own place alone: between two
+  // it changes with the distance, so that a tiny size at one place takes few segments around it.
+  samples_.back().spacing = std::min({samples_.back().spacing, left, a.size});
   if (mid.s > samples_.back().s) {
-    samples_.push_back({mid.s, std::min({limits_.size, left, right})});
+    samples_.push_back({mid.s, std::min({limits_.size, left, right, mid.size})});
   }
-  if (b.s > samples_.back().s) samples_.push_back({b.s, std::min(limits_.size, right)});
+  if (b.s > samples_.back().s) samples_.push_back({b.s, std::min({limits_.size, right, b.size})});
 }
 
 void EdgeSpacing::fix(int segments, double ratio, bool both_ends) {

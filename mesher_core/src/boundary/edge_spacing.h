@@ -62,12 +62,12 @@ class EdgeSpacing {
   struct Station {
     double t, s;
     Vec3 xyz, tangent;
+    double size;  // [mm] that the sizes ask for there
     std::vector<Vec3> normals;
   };
   // Derivatives are taken `inward` of t.
   Station station(double t, double inward) const;
   void refine(const Station& a, const Station& b, int depth);
-  double cell_spacing(const Station& a, const Station& b) const;
   double turn_spacing(const Station& a, const Station& b) const;
   std::vector<SpacingSample> graded(double from, double to) const;
   void cut_between(double from, double to);

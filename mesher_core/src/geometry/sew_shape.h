@@ -12,4 +12,8 @@ namespace advlayers {
 // ones lie along them. Throws GeometryError where OpenCASCADE fails, and Cancelled.
 void sew_shape(const RunContext& context, Model::Shape& shape, double tolerance);
 
+// A model of the shape, sewn before where the tolerance [mm] is not 0.
+Model model_of_shape(const RunContext& context, std::unique_ptr<Model::Shape> shape,
+                     double sew_tolerance);
+
 }  // namespace advlayers

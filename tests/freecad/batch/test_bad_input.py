@@ -43,6 +43,17 @@ BAD = {
     "two files that write a third": ({"outputs": ["box.ugrid", "box.b8.ugrid"]}, "box.mapbc"),
     "zero scale": ({"scale": 0}, "scale"),
     "unknown version": ({"msh_version": "4.0"}, "msh_version"),
+    "report that is another file": ({"report": "box.FCStd"}, "report"),
+    "output of too long a name": ({"outputs": ["x" * 300 + ".vtu"]}, "outputs[0]"),
+    "number of 10 000 digits": ({"layers": 10 ** 4000}, "layers"),
+    "group that ends a file": ({"groups": {"    -1": ["Face1"]}}, "groups"),
+    "half a character": ({"object": "\ud800"}, "object"),
+    "more elements than allowed": ({"size": 0.001}, "size"),
+    "growth that never ends": ({"first_height": 1e-5, "growth": 1.0}, "growth"),
+    "a length of another unit": ({"size": 5.0, "sizes": [{"edges": ["Edge1"],
+                                                          "segments": 1000000}]}, "sizes"),
+    "less memory than it takes": ({"max_memory": 1e-3}, "max_memory"),
+    "less time than it takes": ({"max_seconds": 1e-3}, "max_seconds"),
     "unknown format": ({"outputs": ["box.vtu", "box.xyz"]}, "outputs[1]"),
 }
 
@@ -50,7 +61,7 @@ BAD = {
 @pytest.mark.parametrize("case", BAD)
 def test_one_line_and_nothing_written(batch, job, tmp_path, case):
     values, key = BAD[case]
-    if not batch.freecad and values.get("input", "").lower().endswith((".fcstd", ".stl")):
+    if not batch.freecad and values.get("input", "").lower().endswith(".fcstd"):
         key = "freecadcmd"  # the remedy
     path = job(**{**GOOD, "outputs": ["box.vtu"], "report": "report.json", **values})
     ran = batch(path)
@@ -80,10 +91,10 @@ def test_older_files_stay(batch, job, tmp_path):
 
 
 def test_the_other_jobs_run(batch, job, tmp_path):
-    bad = job("bad.json", **{**GOOD, "growth": 0.5, "report": "bad.report"})
-    good = job("good.json", **GOOD, report="good.report")
+    bad = job("bad.json", **{**GOOD, "growth": 0.5, "report": "bad.r.json"})
+    good = job("good.json", **GOOD, report="good.r.json")
     ran = batch(bad, good)
     assert ran.status == 1
     assert len(ran.lines) == 1 and bad in ran.lines[0]
-    assert json.loads((tmp_path / "good.report").read_text())["inverted"] == 0
-    assert not (tmp_path / "bad.report").exists()
+    assert json.loads((tmp_path / "good.r.json").read_text())["inverted"] == 0
+    assert not (tmp_path / "bad.r.json").exists()
