@@ -36,6 +36,9 @@ _VALUES = {
     "refinements": "list of points",
     "point": "list of three numbers",
     "y_plus": "object, see below",
+    "extrude": "object, see below",
+    "volume": "object, see below",
+    "words": "object: name to word",
     "groups": "object: name to list of names",
     "flag": "true or false",
     "text": "text",
@@ -72,6 +75,11 @@ def page():
         "sources stand in [method.md](method.md#a-first-height-from-y). The report says it, with "
         "the thickness of the boundary layer and the layers that reach through it. In Python: "
         "`advlayers.y_plus(speed=50, length=1000)`.", "",
+        "## A block extrude", "", _table(table.EXTRUDE_SETTINGS, properties=False), "",
+        "Give a thickness, or axis_direction and angle. Groups of edges become patches, groups of "
+        "faces groups of cells.", "",
+        "## A block volume", "", _table(table.VOLUME_SETTINGS, properties=False), "",
+        "Also keywords of `volume_fill.fill`. At order 2 quads are split.", "",
         "## Output formats", "",
         "What all of them hold: the nodes, quads and triangles, and a name for each CAD face "
         "(`FaceN`) and edge (`EdgeN`), and for the groups. Edges are lines, of all edges where a "

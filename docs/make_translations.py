@@ -33,7 +33,8 @@ def texts():
     """Every text once: (context, source), in a fixed order."""
     # The second: a setting, and what is wrong with it.
     found = {(WORKBENCH, "Advancing Layers"): None, (WINDOW, "{} {}"): None}
-    for path in sorted(glob.glob(os.path.join(ROOT, "*", "advlayers*", "*.py"))):
+    code = os.path.join(ROOT, "*", "advlayers*", "**", "*.py")
+    for path in sorted(glob.glob(code, recursive=True)):
         with open(path, encoding="utf-8") as file:
             found.update(dict.fromkeys(_of_code(ast.parse(file.read()))))
     found.update(dict.fromkeys(_of_tables()))

@@ -43,11 +43,11 @@ def of_object(mesh_object) -> List[Finding]:
              for problem in layer_mesh.reference_problems(mesh_object)]
     if mesh_object.State == layer_mesh.NOT_MESHED or not mesh_object.FemMesh.FaceCount:
         return found + [Finding("warning", tr("There is no mesh yet."))]
-    if mesh_object.State == layer_mesh.OUT_OF_DATE:
+    missing = analysis.missing_groups(mesh_object)
+    if mesh_object.State == layer_mesh.OUT_OF_DATE and not missing:
         found.append(Finding(
             "warning", tr("The mesh is out of date: settings or model have changed.")))
-    groups = {mesh_object.FemMesh.getGroupName(i) for i in mesh_object.FemMesh.Groups}
-    for name in sorted(set(analysis.constraint_groups(mesh_object)) - groups):
+    for name in missing:
         constraint = mesh_object.Document.getObject(name.rsplit("_", 1)[0])
         found.append(Finding("warning", tr(
             "{} came after the mesh and does not act on it: update the mesh."

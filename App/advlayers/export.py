@@ -8,7 +8,8 @@ from typing import Any, Callable, Dict, FrozenSet, Mapping, Optional, Sequence
 
 from advlayers.errors import InputError
 from advlayers.formats import (
-    bdf, cgns, inp, med, medit, mesh_parts, msh, obj, plane, ply, stl, su2, ugrid, unv, vtk, vtu)
+    bdf, cgns, inp, med, medit, mesh_parts, msh, obj, plane, ply, polymesh, stl, su2, ugrid, unv,
+    vtk, vtu)
 from advlayers.formats.mesh_parts import MeshParts
 
 
@@ -43,6 +44,7 @@ class Format:
     loses: str = ""
     kinds: FrozenSet[str] = frozenset(mesh_parts.KINDS)
     edges: bool = True  # it has the groups of edges
+    only_cells: bool = False  # it has no surface by itself
     one_name: bool = False  # each element has one name: that of its group, or of its CAD face
     needs: str = ""  # "FreeCAD", a Python package or nothing
 
@@ -119,6 +121,10 @@ FORMATS: Dict[str, Format] = {
     ".ply": Format(
         "Stanford polygons", _plain(ply.write), "the number of each face; exact", "names and edges",
         ply.KINDS, edges=False),
+    polymesh.NAME.lower(): Format(
+        "OpenFOAM", _plain(polymesh.write),
+        "groups, else FaceN or, extruded, EdgeN, as patches of a type; exact",
+        "groups of cells; edges", polymesh.KINDS, only_cells=True, one_name=True),
     ".fcstd": Format(
         "FreeCAD document", _write_document,
         "the shape and the mesh object with all groups and settings", needs="FreeCAD"),
@@ -126,9 +132,11 @@ FORMATS: Dict[str, Format] = {
 
 
 def format_of(path: str) -> str:
-    """The longest known ending, else what follows the last point."""
+    """The longest known ending, else what follows the last point. OpenFOAM's is the whole name."""
     lower = path.lower()
-    known = [ending for ending in FORMATS if lower.endswith(ending)]
+    if os.path.basename(lower) == polymesh.NAME.lower():
+        return polymesh.NAME.lower()
+    known = [ending for ending in FORMATS if ending[0] == "." and lower.endswith(ending)]
     return max(known, key=len) if known else os.path.splitext(lower)[1]
 
 
@@ -156,6 +164,8 @@ def check_carries(key: str, path: str, asked: Asked) -> None:
     entry = FORMATS[format_of(path)]
     if asked.order == 2 and not {"tri6", "quad8"} <= entry.kinds:
         raise InputError(key, "{} files have no elements of second order: {}", entry.title, path)
+    if entry.only_cells and not asked.volume:
+        raise InputError(key, "{} needs cells: ask for extrude or volume: {}", entry.title, path)
     if asked.volume and "tet4" not in entry.kinds:
         raise InputError(key, "{} files have no volume elements: {}", entry.title, path)
     for group, members in asked.groups.items():

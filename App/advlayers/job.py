@@ -9,6 +9,8 @@ from typing import Any, Dict, Optional, Tuple
 
 from advlayers import cad_input, export, faceted, flow_height, initial_mesh
 from advlayers.errors import InputError
+from advlayers.extrusion import Extrusion, of_settings
+from advlayers.formats import polymesh
 from advlayers.settings_check import check_all
 from advlayers.settings_table import EXPORT_SETTINGS, JOB_SETTINGS, MESH_SETTINGS
 
@@ -25,10 +27,13 @@ class Job:
     outputs: Tuple[str, ...]
     report: Optional[str]
     strict: bool
+    extrude: Optional[Extrusion] = None
+    volume: Optional[Dict[str, Any]] = None  # the checked block
 
     @property
     def asked(self) -> export.Asked:
-        return export.Asked(self.settings["groups"])
+        return export.Asked(_groups_written(self), self.settings["order"],
+                            bool(self.extrude or self.volume))
 
 
 def read_job(path: str) -> Job:
@@ -52,8 +57,14 @@ def read_job(path: str) -> Job:
         outputs=tuple(os.path.normpath(os.path.join(folder, out)) for out in values["outputs"]),
         report=values["report"] and os.path.normpath(os.path.join(folder, values["report"])),
         strict=values["strict"],
+        extrude=values["extrude"] and of_settings(values["extrude"]),
+        volume=values["volume"],
     )
     flow_height.of_settings(job.settings)  # refuses what contradicts itself
+    if job.extrude and job.volume:
+        raise InputError("volume", "does not go with extrude")
+    if job.extrude and job.settings["order"] == 2:
+        raise InputError("order", "must be 1 with extrude, got 2")
     _check_files(job, path)
     return job
 
@@ -123,17 +134,29 @@ def _check_files(job: Job, job_path: str) -> None:
                          job.report)
 
 
+def _groups_written(job: Job) -> Dict[str, Any]:
+    """Extruded, edges make faces."""
+    groups = job.settings["groups"]
+    if not job.extrude:
+        return groups
+    return {name: [f"Face{member[4:]}" for member in members if member.startswith("Edge")]
+            for name, members in groups.items()}
+
+
 def _check_target(key: str, path: str) -> None:
     folder = os.path.dirname(path)
+    of_folders = os.path.basename(path) == polymesh.NAME
+    if of_folders and not os.path.exists(folder):  # "constant", of a new case
+        folder = os.path.dirname(folder)
     if not os.path.isdir(folder):
         raise InputError(key, "lies in a folder that does not exist: {}", folder)
     if not os.access(folder, os.W_OK | os.X_OK):
         raise InputError(key, "lies in a folder that cannot be written to: {}", folder)
     if len(os.fsencode(os.path.basename(path))) > os.pathconf(folder, "PC_NAME_MAX"):
         raise InputError(key, "has a name that is too long for its folder: {}", path)
-    if os.path.isdir(path):
+    if os.path.isdir(path) and not of_folders:
         raise InputError(key, "is a folder: {}", path)
-    if os.path.lexists(path) and not os.path.isfile(path):
+    if os.path.lexists(path) and not os.path.isfile(path) and not of_folders:
         raise InputError(key, "is no regular file: {}", path)
     if os.path.exists(path) and not os.access(path, os.W_OK):
         raise InputError(key, "cannot be overwritten: {}", path)

@@ -13,6 +13,7 @@ from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.formats import mesh_parts
 from advlayers.job import Job
+from advlayers.job_mesh import JobMesh, job_mesh
 from advlayers.meshing import Run, core_settings
 from advlayers.outputs import Outputs
 from advlayers.report import has_error, info, make_report, make_strict
@@ -48,18 +49,21 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
 
     watch("write", [])
     start = time.perf_counter()
-    product = export.Product(_parts(job, mesh), job.export)
+    made = job_mesh(job, mesh, cad.model, job.input_name, for_core.size,
+                    lambda: watch("write", []))
+    product = export.Product(made.parts.scaled(job.export["scale"]), job.export)
     try:
-        _add_document(job, cad, mesh, product)
+        _add_document(job, cad, mesh, made, product)
         seconds["mesh_object"] = time.perf_counter() - start
         with Outputs() as outputs:
             start = time.perf_counter()
             for path in job.outputs:
                 writer = export.FORMATS[export.format_of(path)].write
+                outputs.make_folder(os.path.dirname(path))
                 outputs.write(path, lambda temporary: writer(temporary, product))
             seconds["write"] = time.perf_counter() - start
             seconds["total"] = time.perf_counter() - begin
-            report = _report(job, cad, mesh, seconds)
+            report = _report(job, cad, mesh, made, seconds)
             if job.report:
                 outputs.write(job.report, lambda temporary: _write_json(temporary, report))
             outputs.publish()
@@ -92,17 +96,15 @@ def _initial_mesh(job: Job) -> Optional[initial_mesh.Arrays]:
     return None if path is None else initial_mesh.read(path)
 
 
-def _parts(job: Job, mesh) -> mesh_parts.MeshParts:
-    parts = mesh_parts.of_mesh(mesh, job.settings["groups"], job.settings["layer_groups"])
-    return parts.scaled(job.export["scale"])
-
-
-def _report(job: Job, cad: cad_input.Cad, mesh, seconds: Dict[str, float]) -> Dict[str, Any]:
+def _report(job: Job, cad: cad_input.Cad, mesh, made: JobMesh,
+            seconds: Dict[str, float]) -> Dict[str, Any]:
     notes = [info("object-chosen", cad.note)] if cad.note else []
     flow = flow_height.of_settings(job.settings)
     if flow is not None:
         notes.append(info("y-plus", "y+: " + flow.said(job.settings["growth"]).english))
-    report = make_report(job.input_name, mesh, notes, seconds)
+    report = make_report(job.input_name, mesh, notes + made.notes, seconds)
+    if made.figures:
+        report["volume"] = made.figures
     if job.strict:
         make_strict(report)
     return report
@@ -113,13 +115,14 @@ def exit_status(report: Dict[str, Any]) -> int:
     return 2 if has_error(report) else 0
 
 
-def _add_document(job: Job, cad: cad_input.Cad, mesh, product: export.Product) -> None:
+def _add_document(job: Job, cad: cad_input.Cad, mesh, made: JobMesh,
+                  product: export.Product) -> None:
     """Makes what a FreeCAD document needs, and nothing where none is asked for."""
     if ".fcstd" not in {export.format_of(path) for path in job.outputs}:
         return
     import FreeCAD
 
-    from advlayers import fem_mesh, layer_mesh
+    from advlayers import fem_mesh, layer_mesh, volume_fill
 
     product.document = FreeCAD.newDocument("AdvancingLayers", hidden=True)
     product.document.Label = os.path.splitext(os.path.basename(job.input))[0]
@@ -130,6 +133,8 @@ def _add_document(job: Job, cad: cad_input.Cad, mesh, product: export.Product) -
     parts = mesh_parts.of_mesh(mesh, job.settings["groups"], job.settings["layer_groups"])
     layer_mesh.set_mesh(mesh_object, mesh, fem_mesh.to_fem_mesh(parts),
                         layer_mesh.made_from(mesh_object))
+    if job.volume:
+        volume_fill.add_object(mesh_object, made.parts)
     product.document.recompute()
 
 

@@ -56,6 +56,7 @@ class LayerMesh(Stateless):
         add_properties(document_object)
         document_object.SchemaVersion = migrations.CURRENT
         mesh_history.watch(document_object, _mesh_is_lost)
+        analysis.watch(_refresh_mesh)
 
     def onChanged(self, document_object, name: str) -> None:
         if document_object.Document.Restoring:
@@ -74,6 +75,7 @@ class LayerMesh(Stateless):
         migrations.migrate(document_object)
         controls.own_children(document_object)
         mesh_history.watch(document_object, _mesh_is_lost)
+        analysis.watch(_refresh_mesh)
         attach_view(document_object)
 
 
@@ -120,6 +122,7 @@ class MadeFrom:
     settings_text: str
     points: List[float]
     initial_points: List[float]
+    constraints: List[str]  # of analyses, that need groups
 
 
 @dataclass(frozen=True)
@@ -162,7 +165,8 @@ def made_from(document_object) -> MadeFrom:
     return MadeFrom(settings_of(document_object),
                     freshness.settings_text(raw_settings(document_object)),
                     freshness.shape_points(cad_input.global_shape(document_object.Part)),
-                    initial_mesh.fingerprint(document_object.InitialMesh))
+                    initial_mesh.fingerprint(document_object.InitialMesh),
+                    analysis.constraint_texts(document_object))
 
 
 def update(document_object, watch: Optional[Callable[[List[Any]], None]] = None) -> None:
@@ -218,6 +222,7 @@ def set_mesh(document_object, mesh, fem, origin: MadeFrom,
     document_object.MeshedSettings = origin.settings_text
     document_object.MeshedShape = origin.points
     document_object.MeshedInitialMesh = origin.initial_points
+    document_object.MeshedConstraints = origin.constraints
     refresh_state(document_object)
     if document_object.State == UP_TO_DATE:  # else the model was edited meanwhile
         accept_references(document_object)
@@ -314,11 +319,16 @@ def refresh_state(document_object) -> None:
         document_object.State = state
 
 
+def _refresh_mesh(member) -> None:
+    if is_layer_mesh(member):
+        refresh_state(member)
+
+
 def _state(document_object) -> str:
     if document_object.MeshedSettings and _as_now(
             document_object, document_object.MeshedSettings, document_object.MeshedShape,
             document_object.MeshedInitialMesh):
-        return UP_TO_DATE
+        return OUT_OF_DATE if analysis.missing_groups(document_object) else UP_TO_DATE
     if reference_problems(document_object):
         return LOST_REFERENCES
     return OUT_OF_DATE if document_object.MeshedSettings else NOT_MESHED
@@ -326,7 +336,8 @@ def _state(document_object) -> str:
 
 def fits(document_object, origin: MadeFrom) -> bool:
     """Whether settings, shape and initial mesh are still those that a mesh was made from."""
-    return _as_now(document_object, origin.settings_text, origin.points, origin.initial_points)
+    return (_as_now(document_object, origin.settings_text, origin.points, origin.initial_points)
+            and set(analysis.constraint_texts(document_object)) <= set(origin.constraints))
 
 
 def _as_now(document_object, settings: str, points: Sequence[float],

@@ -45,6 +45,8 @@ _HIDDEN_RESULTS = (
     ("MeshedShape", "App::PropertyFloatList", "Points of the shape that was meshed."),
     ("MeshedInitialMesh", "App::PropertyFloatList",
      "Counts and nodes of the initial mesh that the mesh was made from."),
+    ("MeshedConstraints", "App::PropertyStringList",
+     "The constraints of analyses that the mesh has groups for, each with its faces."),
 )
 _KEPT = (
     ("MeshId", "App::PropertyString", "Tells this mesh from the ones before it."),

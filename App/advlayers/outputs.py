@@ -1,6 +1,7 @@
 """Files that appear together or not at all, each read by its structure before it is seen."""
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import re
@@ -24,6 +25,7 @@ class Outputs:
 
     def __init__(self) -> None:
         self._pending: List[Tuple[str, str]] = []  # folder, target
+        self._made: List[str] = []  # folders that were not there
 
     def __enter__(self) -> "Outputs":
         return self
@@ -31,6 +33,15 @@ class Outputs:
     def __exit__(self, *_error) -> None:
         for folder, _target in self._pending:
             shutil.rmtree(folder, ignore_errors=True)
+        for folder in self._made:
+            with contextlib.suppress(OSError):
+                os.rmdir(folder)
+
+    def make_folder(self, path: str) -> None:
+        """For a target, where it is not there."""
+        if not os.path.isdir(path):
+            os.mkdir(path)
+            self._made.append(path)
 
     def write(self, target: str, writer: Callable[[str], None]) -> None:
         """Raises OSError with the target, for whatever goes wrong with the file."""
@@ -68,6 +79,7 @@ class Outputs:
             _to_disk(where)
         for folder, _target in self._pending:
             shutil.rmtree(folder, ignore_errors=True)
+        self._made.clear()
         self._pending.clear()
 
 

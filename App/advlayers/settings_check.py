@@ -8,7 +8,8 @@ from typing import Any, Callable, Dict, Iterable, Mapping, Tuple
 
 from advlayers.errors import InputError
 from advlayers.settings_table import (
-    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Y_PLUS_SETTINGS, Setting, range_said)
+    EXTRUDE_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, VOLUME_SETTINGS, WALL_SETTINGS,
+    Y_PLUS_SETTINGS, Setting, range_said)
 
 _NAME = re.compile(r"(Face|Edge)([1-9][0-9]*)")
 _UNV_MARK = "-1"
@@ -211,9 +212,27 @@ def _refinements(key: str, value: Any, _entry: Setting) -> Tuple[Dict, ...]:
 
 
 def _y_plus(key: str, value: Any, _entry: Setting) -> Dict[str, Any]:
+    return _block(key, value, Y_PLUS_SETTINGS)
+
+
+def _extrude(key: str, value: Any, _entry: Setting) -> Dict:
+    return _block(key, value, EXTRUDE_SETTINGS)
+
+
+def _volume(key: str, value: Any, _entry: Setting) -> Dict:
+    return _block(key, value, VOLUME_SETTINGS)
+
+
+def _block(key: str, value: Any, table: Tuple[Setting, ...]) -> Dict:
     if not isinstance(value, dict):
         raise InputError(key, "must be an object, got {}", _shown(value))
-    return check_all(value, Y_PLUS_SETTINGS, where=f"{key}.")
+    return check_all(value, table, where=f"{key}.")
+
+
+def _words(key: str, value: Any, entry: Setting) -> Dict[str, str]:
+    if not isinstance(value, dict):
+        raise InputError(key, "must be an object of names and words, got {}", _shown(value))
+    return {name: _text(f"{key}.{name}", word, entry) for name, word in value.items()}
 
 
 def _point(key: str, value: Any, entry: Setting) -> Tuple[float, ...]:
@@ -244,4 +263,5 @@ CHECKS: Dict[str, Callable[[str, Any, Setting], Any]] = {
     "faces_only": _faces_only,
     "edges": _edges, "walls": _walls, "groups": _groups,
     "sizes": _sizes, "refinements": _refinements, "point": _point, "y_plus": _y_plus,
+    "extrude": _extrude, "volume": _volume, "words": _words,
 }

@@ -35,8 +35,8 @@ class Setting:
 _GROUPS = {
     "faces": "Geometry", "feature_angle": "Geometry", "initial_mesh": "Geometry",
     "size": "Size", "curvature_angle": "Size", "size_growth": "Size", "refinements": "Size",
-    "core": "Size", "first_height": "Layers", "growth": "Layers", "layers": "Layers",
-    "threads": "Run",
+    "core": "Size", "order": "Size", "first_height": "Layers", "growth": "Layers",
+    "layers": "Layers", "threads": "Run",
 }
 _CHILDREN = {"sizes": "Size", "walls": "Wall", "match": "Wall", "off": "Wall", "boundary": "Wall",
              "smooth": "Wall"}
@@ -129,6 +129,15 @@ JOB_SETTINGS = (
         "of several the one with most faces.",
     ),
     Setting("outputs", "paths", (), "The files to write; the ending says the format."),
+    Setting(
+        "extrude", "extrude", None,
+        "Makes a plane mesh solid: hexahedra and prisms, with patches named after edges and their "
+        "groups, in every file that has cells.",
+    ),
+    Setting(
+        "volume", "volume", None,
+        "Fills a closed mesh with cells, in every file that has them; by Gmsh, else by Netgen.",
+    ),
     Setting("report", "path", None, "The file to write the report to, as JSON."),
     Setting(
         "strict", "flag", False,
@@ -178,6 +187,59 @@ Y_PLUS_SETTINGS = (
             low_open=True, high=1e5, decimals=8),
 )
 
+# What the block `extrude` of a job may say.
+EXTRUDE_SETTINGS = (
+    Setting("thickness", "number", None, "Of the plate, from the plane of the mesh on.", unit="mm",
+            low=0.0, low_open=True),
+    Setting("cells", "count", 1, "Number of cells across the thickness or the angle.", low=1),
+    Setting(
+        "direction", "point", None,
+        "Which way the plate grows, at right angles to the plane. Default: the normal of the "
+        "faces.",
+    ),
+    Setting(
+        "axis_direction", "point", None,
+        "Instead of a plate: turns the mesh about this direction, a line in its plane that it does "
+        "not cross.",
+    ),
+    Setting("axis_point", "point", None, "A point on that line. Default: the origin.", unit="mm"),
+    Setting(
+        "angle", "number", None,
+        "Of the turn in all, half of it to either side of the plane.",
+        unit="deg", low=0.0, low_open=True, high=180.0, high_open=True,
+    ),
+    Setting("front", "text", "front", "Name of the patch at the far end."),
+    Setting("back", "text", "back", "Name of the patch at the near end."),
+    Setting(
+        "patch_types", "words", {},
+        "What OpenFOAM takes a patch for, by its name: wall, patch, symmetry, symmetryPlane, empty "
+        "or wedge. Default: empty or wedge for front and back, wall or symmetry where the name "
+        "says so, else patch.",
+    ),
+)
+
+# What the block `volume` of a job may say.
+VOLUME_SETTINGS = (
+    Setting("size", "number", None, "The longest edge inside. Default: that of the mesh.",
+            unit="mm", low=0.0, low_open=True),
+    Setting(
+        "program", "choice", "any", "What fills the mesh; any takes Gmsh where it is installed.",
+        choices=("any", "gmsh", "netgen"),
+    ),
+    Setting(
+        "quads", "choice", "split",
+        "Whether quads are split in two, or kept, with a pyramid on each (by Gmsh).",
+        choices=("split", "keep"),
+    ),
+    Setting("name", "text", "Volume", "Name of the group of all cells."),
+    Setting(
+        "most_slivers", "number", 10.0,
+        "The most tetrahedra with an angle below 5 degrees between two sides, in percent: where "
+        "there are more, the job fails.",
+        low=0.0, high=100.0,
+    ),
+)
+
 
 def setting(key: str, table: Tuple[Setting, ...] = MESH_SETTINGS) -> Setting:
     return next(entry for entry in table if entry.key == key)
@@ -191,7 +253,7 @@ def value_settings(table: Iterable[Setting]) -> List[Setting]:
 def keys() -> FrozenSet[str]:
     """Of all settings, and what an InputError of another origin has for one."""
     tables = (MESH_SETTINGS, JOB_SETTINGS, EXPORT_SETTINGS, WALL_SETTINGS, SIZE_SETTINGS,
-              REFINEMENT_SETTINGS, Y_PLUS_SETTINGS)
+              REFINEMENT_SETTINGS, Y_PLUS_SETTINGS, EXTRUDE_SETTINGS, VOLUME_SETTINGS)
     return frozenset(entry.key for table in tables for entry in table) | {
         "references", "condition", "file"}
 

@@ -30,6 +30,10 @@ class StoredMesh:
     node_parent: Any
     edge_segments: Dict[int, Any]
     named: Dict[str, List[str]]  # the groups of the object and of its analysis
+    mid_nodes: Any
+    mids_of_quad: Any
+    mids_of_triangle: Any
+    mids_of_segment: Dict[int, Any]
 
 
 def read(mesh_object) -> StoredMesh:
@@ -39,13 +43,33 @@ def read(mesh_object) -> StoredMesh:
         raise InputError("", "{} has no mesh yet: mesh it first", mesh_object.Label)
     elements = element_mesh.of_object(mesh_object)
     quads, nodes = len(elements.quads), len(elements.nodes)
+    segments = segments_of(mesh_object.EdgeSegments)
     return StoredMesh(
         elements.nodes, elements.quads, elements.triangles,
         elements.faces[:quads], elements.faces[quads:],
         elements.layers[:quads], elements.layers[quads:],
         _node_values(mesh_object.NodeLayers, nodes, 0),
         _node_values(mesh_object.NodeParents, nodes, -1),
-        segments_of(mesh_object.EdgeSegments), _named(mesh_object, elements.faces))
+        segments, _named(mesh_object, elements.faces), elements.mid_nodes, elements.mids_of_quad,
+        elements.mids_of_triangle, _mids_of(segments, elements))
+
+
+def _mids_of(segments: Dict[int, Any], elements) -> Dict[int, Any]:
+    """The mid node of each segment, as the elements beside it have it."""
+    if not len(elements.mid_nodes):
+        return {}
+    ends = np.concatenate([cells[:, [k, (k + 1) % cells.shape[1]]] for cells in
+                           (elements.quads, elements.triangles) for k in range(cells.shape[1])])
+    mids = np.concatenate([part[:, k] for part in (elements.mids_of_quad, elements.mids_of_triangle)
+                           for k in range(part.shape[1])])
+    keys, first = np.unique(_keys(ends), return_index=True)
+    return {edge: mids[first[np.searchsorted(keys, _keys(pairs))]]
+            for edge, pairs in segments.items()}
+
+
+def _keys(pairs):
+    """One number for the ends of a mesh edge, whichever comes first."""
+    return (pairs.min(axis=1).astype(np.int64) << 32) + pairs.max(axis=1)
 
 
 def segments_of(numbers) -> Dict[int, Any]:

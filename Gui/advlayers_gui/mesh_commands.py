@@ -118,12 +118,13 @@ class Export(_OnOneMesh):
     def ask(self, mesh) -> str:
         from advlayers.export import FORMATS, format_of
 
-        filters = [f"{tr(entry.title)} (*{_shown(ending)})" for ending, entry in FORMATS.items()]
+        offered = {ending: entry for ending, entry in FORMATS.items() if not entry.only_cells}
+        filters = [f"{tr(entry.title)} (*{_shown(ending)})" for ending, entry in offered.items()]
         start = os.path.join(os.path.dirname(mesh.Document.FileName), mesh.Label)
         path, chosen = QtGui.QFileDialog.getSaveFileName(
             FreeCADGui.getMainWindow(), tr("Export Mesh"), start, ";;".join(filters))[:2]
         if path and format_of(path) not in FORMATS:
-            path += _shown(list(FORMATS)[filters.index(chosen)])
+            path += _shown(list(offered)[filters.index(chosen)])
         return path
 
 
@@ -141,7 +142,7 @@ class ToMesh(_OnMeshes):
 class FillVolume(_OnOneMesh):
     NAME = "FillVolume"
     MENU = "Fill with Tetrahedra"
-    TOOLTIP = "Fills the inside of a closed layer mesh with tetrahedra, using Gmsh"
+    TOOLTIP = "Fills the inside of a closed layer mesh with tetrahedra, using Gmsh or Netgen"
     CALL = ("from advlayers import volume_fill", "volume_fill.fill")
 
 

@@ -206,8 +206,8 @@
         <translation>Mit Tetraedern füllen</translation>
     </message>
     <message>
-        <source>Fills the inside of a closed layer mesh with tetrahedra, using Gmsh</source>
-        <translation>Füllt das Innere eines geschlossenen Schichtnetzes mit Tetraedern, mit Hilfe von Gmsh</translation>
+        <source>Fills the inside of a closed layer mesh with tetrahedra, using Gmsh or Netgen</source>
+        <translation>Füllt das Innere eines geschlossenen Schichtnetzes mit Tetraedern, mit Gmsh oder Netgen</translation>
     </message>
 </context>
 <context>
@@ -344,12 +344,28 @@
         <translation>Erweitert</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
         <source>Angles from</source>
         <translation>Winkel von</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
         <translation>Seitenverhältnis</translation>
+    </message>
+    <message>
+        <source>Axis direction</source>
+        <translation>Achsrichtung</translation>
+    </message>
+    <message>
+        <source>Axis point</source>
+        <translation>Achspunkt</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Rückseite</translation>
     </message>
     <message>
         <source>Both ends</source>
@@ -362,6 +378,10 @@
     <message>
         <source>CGNS</source>
         <translation>CGNS</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -400,6 +420,10 @@
         <translation>Meldungen</translation>
     </message>
     <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Kante</translation>
     </message>
@@ -430,6 +454,10 @@
     <message>
         <source>Export Mesh</source>
         <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Extrude</source>
+        <translation>Extrudieren</translation>
     </message>
     <message>
         <source>Face</source>
@@ -480,6 +508,10 @@
         <translation>FreeCAD-Dokument</translation>
     </message>
     <message>
+        <source>Front</source>
+        <translation>Vorderseite</translation>
+    </message>
+    <message>
         <source>General</source>
         <translation>Netz</translation>
     </message>
@@ -494,10 +526,6 @@
     <message>
         <source>Gmsh cannot fill the mesh: {}</source>
         <translation>Gmsh kann das Netz nicht füllen: {}</translation>
-    </message>
-    <message>
-        <source>Gmsh is not installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
-        <translation>Gmsh ist nicht installiert: Installieren Sie das Paket gmsh, oder geben Sie in FreeCAD unter Bearbeiten &gt; Einstellungen &gt; FEM &gt; Gmsh an, wo es liegt</translation>
     </message>
     <message>
         <source>Group</source>
@@ -624,6 +652,10 @@
         <translation>Vernetzt mit den Einstellungen unten; OK übernimmt das Netz danach ins Dokument</translation>
     </message>
     <message>
+        <source>Most slivers</source>
+        <translation>Flache Zellen höchstens</translation>
+    </message>
+    <message>
         <source>Msh version</source>
         <translation>Version der .msh</translation>
     </message>
@@ -634,6 +666,18 @@
     <message>
         <source>Nastran</source>
         <translation>Nastran</translation>
+    </message>
+    <message>
+        <source>Neither Gmsh nor Netgen is installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
+        <translation>Weder Gmsh noch Netgen ist installiert: das Paket gmsh installieren oder FreeCAD unter Bearbeiten &gt; Einstellungen &gt; FEM &gt; Gmsh sagen, wo es liegt</translation>
+    </message>
+    <message>
+        <source>Netgen cannot fill the mesh: {}</source>
+        <translation>Netgen kann das Netz nicht füllen: {}</translation>
+    </message>
+    <message>
+        <source>Netgen cannot keep quads: install Gmsh, or split them</source>
+        <translation>Netgen kann Vierecke nicht behalten: Gmsh installieren oder sie teilen</translation>
     </message>
     <message>
         <source>No layers at the selected edges</source>
@@ -668,6 +712,22 @@
         <translation>OpenCASCADE ist daran gescheitert: {}</translation>
     </message>
     <message>
+        <source>OpenFOAM</source>
+        <translation>OpenFOAM</translation>
+    </message>
+    <message>
+        <source>OpenFOAM has no cells of second order: ask for order 1</source>
+        <translation>OpenFOAM hat keine Zellen zweiter Ordnung: Ordnung 1 verlangen</translation>
+    </message>
+    <message>
+        <source>OpenFOAM needs cells: ask for extrude or volume</source>
+        <translation>OpenFOAM braucht Zellen: extrude oder volume verlangen</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
         <source>Out of date</source>
         <translation>Veraltet</translation>
     </message>
@@ -680,6 +740,10 @@
         <translation>Part von {} ist leer: Es gibt nichts zu vernetzen</translation>
     </message>
     <message>
+        <source>Patch types</source>
+        <translation>Arten der Randflächen</translation>
+    </message>
+    <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Teilfläche {patch} von {patches} · Schicht {layer}</translation>
     </message>
@@ -690,6 +754,10 @@
     <message>
         <source>Preview: {}</source>
         <translation>Vorschau: {}</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
     </message>
     <message>
         <source>Quads</source>
@@ -940,6 +1008,10 @@
         <translation>Viskosität</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
         <source>Wall</source>
         <translation>Wand</translation>
     </message>
@@ -1020,6 +1092,10 @@
         <translation>Beide Enden braucht eine Verdichtung</translation>
     </message>
     <message>
+        <source>cannot be kept: one is {} times as long as high, and {} is the most; split them, or raise first_height</source>
+        <translation>lassen sich nicht behalten: eines ist {}-mal so lang wie hoch, und {} ist das Höchste; teilen oder die erste Höhe vergrößern</translation>
+    </message>
+    <message>
         <source>cannot be overwritten: {}</source>
         <translation>lässt sich nicht überschreiben: {}</translation>
     </message>
@@ -1056,8 +1132,20 @@
         <translation>die Auftragsdatei lässt sich nicht lesen: {}</translation>
     </message>
     <message>
+        <source>cuts the mesh: it lies on both sides</source>
+        <translation>schneidet das Netz: es liegt auf beiden Seiten</translation>
+    </message>
+    <message>
         <source>does not exist: {}</source>
         <translation>gibt es nicht: {}</translation>
+    </message>
+    <message>
+        <source>does not go with axis_direction</source>
+        <translation>verträgt sich nicht mit axis_direction</translation>
+    </message>
+    <message>
+        <source>does not go with extrude</source>
+        <translation>verträgt sich nicht mit extrude</translation>
     </message>
     <message>
         <source>element {number} {where}: angles from {least:.1f}° to {largest:.1f}°</source>
@@ -1082,6 +1170,10 @@
     <message>
         <source>first height {} mm (Reynolds number {}); the boundary layer is some {} mm thick: {} layers of growth {}</source>
         <translation>erste Höhe {} mm (Reynolds-Zahl {}); die Grenzschicht ist etwa {} mm dick: {} Schichten mit Wachstum {}</translation>
+    </message>
+    <message>
+        <source>goes with axis_direction only</source>
+        <translation>gehört nur zu axis_direction</translation>
     </message>
     <message>
         <source>has a member outside of itself, {}: {}</source>
@@ -1164,6 +1256,10 @@
         <translation>ist beschädigt: das Leseprogramm stürzt daran ab ({}): {}</translation>
     </message>
     <message>
+        <source>is exceeded in {}: {} % of the tetrahedra have an angle below {} degrees between their sides, beside elements that are thin: raise first_height there, or lower size</source>
+        <translation>wird in {} überschritten: {} % der Tetraeder haben einen Winkel unter {} Grad zwischen ihren Seiten, neben dünnen Elementen: dort die erste Höhe vergrößern oder die Größe verkleinern</translation>
+    </message>
+    <message>
         <source>is for FCStd files only, got {}</source>
         <translation>nur bei FCStd-Dateien, angegeben ist {}</translation>
     </message>
@@ -1194,6 +1290,14 @@
     <message>
         <source>is no regular file: {}</source>
         <translation>ist keine gewöhnliche Datei: {}</translation>
+    </message>
+    <message>
+        <source>is not installed: {}</source>
+        <translation>ist nicht installiert: {}</translation>
+    </message>
+    <message>
+        <source>is the name of the front, too: {}</source>
+        <translation>heißt wie die Vorderseite: {}</translation>
     </message>
     <message>
         <source>it bounds no face</source>
@@ -1356,6 +1460,10 @@
         <translation>diesen Ordner gibt es nicht: {}</translation>
     </message>
     <message>
+        <source>makes elements of first order: it does not go with order 2</source>
+        <translation>macht Elemente erster Ordnung: verträgt sich nicht mit Ordnung 2</translation>
+    </message>
+    <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
         <translation>Für sich vernetzt, weil die Elemente ihrer Teilflächen ihnen nicht folgen konnten: {}</translation>
     </message>
@@ -1366,6 +1474,14 @@
     <message>
         <source>must be "all" or a list of walls, got {}</source>
         <translation>verlangt ist "all" oder eine Liste von Wänden, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be "split" at order 2, got "keep"</source>
+        <translation>muss bei Ordnung 2 "split" sein, nicht "keep"</translation>
+    </message>
+    <message>
+        <source>must be 1 with extrude, got 2</source>
+        <translation>muss mit extrude 1 sein, nicht 2</translation>
     </message>
     <message>
         <source>must be a file of its own that ends in .json, got {}</source>
@@ -1416,12 +1532,20 @@
         <translation>verlangt ist ein Objekt aus Namen und Listen, angegeben {}</translation>
     </message>
     <message>
+        <source>must be an object of names and words, got {}</source>
+        <translation>muss ein Objekt aus Namen und Wörtern sein, ist {}</translation>
+    </message>
+    <message>
         <source>must be an object, got {}</source>
         <translation>verlangt ist ein Objekt, angegeben {}</translation>
     </message>
     <message>
         <source>must be at most 1000000, got {}</source>
         <translation>höchstens 1000000, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be at right angles to the plane, whose normal is ({}, {}, {})</source>
+        <translation>muss senkrecht auf der Ebene stehen, deren Normale ({}, {}, {}) ist</translation>
     </message>
     <message>
         <source>must be in the same document as the shape, got {}</source>
@@ -1444,8 +1568,16 @@
         <translation>verlangt ist {}, angegeben {}</translation>
     </message>
     <message>
+        <source>must have a length</source>
+        <translation>muss eine Länge haben</translation>
+    </message>
+    <message>
         <source>must hold texts like "x y z size radius", got {}</source>
         <translation>verlangt sind Texte wie "x y z Größe Radius", angegeben {}</translation>
+    </message>
+    <message>
+        <source>must lie in the plane of the mesh</source>
+        <translation>muss in der Ebene des Netzes liegen</translation>
     </message>
     <message>
         <source>must not be empty</source>
@@ -1500,8 +1632,16 @@
         <translation>braucht zum Schreiben FreeCAD: Führen Sie den Auftrag mit freecadcmd aus: {}</translation>
     </message>
     <message>
+        <source>needs a mesh of plane faces: there is no element</source>
+        <translation>braucht ein Netz ebener Flächen: kein Element vorhanden</translation>
+    </message>
+    <message>
         <source>needs both density and viscosity, or none of them</source>
         <translation>braucht Dichte und Viskosität oder keine von beiden</translation>
+    </message>
+    <message>
+        <source>needs plane faces: a node lies {} mm off their plane</source>
+        <translation>braucht ebene Flächen: ein Knoten liegt {} mm neben ihrer Ebene</translation>
     </message>
     <message>
         <source>needs the Python package meshio (python3-meshio): {}</source>
@@ -1574,6 +1714,10 @@
     <message>
         <source>point {} of a triangulation is not finite</source>
         <translation>Punkt {} einer Triangulierung ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>polyMesh: three cells share a face</source>
+        <translation>polyMesh: drei Zellen teilen sich eine Seite</translation>
     </message>
     <message>
         <source>quads</source>
@@ -1788,6 +1932,10 @@
         <translation>{} kam nach dem Netz und wirkt nicht darauf: Aktualisieren Sie das Netz.</translation>
     </message>
     <message>
+        <source>{} cannot be filled: {} of {} cells have no volume, or a negative one</source>
+        <translation>{} lässt sich nicht füllen: {} von {} Zellen haben kein Volumen oder ein negatives</translation>
+    </message>
+    <message>
         <source>{} cannot be meshed: {}</source>
         <translation>{} lässt sich nicht vernetzen: {}</translation>
     </message>
@@ -1952,6 +2100,10 @@
         <translation>{} Mittelknoten liegen neben der Form, um bis zu {} mm: auf ihr wären gekrümmte Elemente umgestülpt</translation>
     </message>
     <message>
+        <source>{} mid nodes of the volume's skin lie off the shape, by up to {} mm: on it, cells would be turned over</source>
+        <translation>{} Mittelknoten der Haut des Volumens liegen neben der Form, um bis zu {} mm: auf ihr wären Zellen umgestülpt</translation>
+    </message>
+    <message>
         <source>{} must be {}, got {}</source>
         <translation>{}: verlangt ist {}, angegeben {}</translation>
     </message>
@@ -1960,8 +2112,16 @@
         <translation>{}: verlangt ist {}, angegeben {} ({})</translation>
     </message>
     <message>
+        <source>{} needs cells: ask for extrude or volume: {}</source>
+        <translation>{} braucht Zellen: extrude oder volume verlangen: {}</translation>
+    </message>
+    <message>
         <source>{} nodes of the initial mesh lay off the shape, by up to {} mm, and were put onto it</source>
         <translation>{} Knoten des Ausgangsnetzes lagen bis zu {} mm neben der Form und wurden auf sie gesetzt</translation>
+    </message>
+    <message>
+        <source>{} of {} tetrahedra have an angle below 5 degrees between two sides</source>
+        <translation>{} von {} Tetraedern haben einen Winkel unter 5 Grad zwischen zwei Seiten</translation>
     </message>
     <message>
         <source>{} on {} got no layers</source>
@@ -2138,6 +2298,10 @@
 </context>
 <context>
     <name>App::Property</name>
+    <message>
+        <source>2 puts a node in the middle of each mesh edge, on the shape.</source>
+        <translation>2 setzt einen Knoten in die Mitte jeder Netzkante, auf der Form.</translation>
+    </message>
     <message>
         <source>A mesh that is estimated to have more elements is refused before it is begun; 0: two million.</source>
         <translation>Ein Netz, das nach der Schätzung mehr Elemente hat, wird abgelehnt, ehe es begonnen wird; 0: zwei Millionen.</translation>
@@ -2399,6 +2563,10 @@
         <translation>Netzkanten auf CAD-Kanten: von jeder die Kante und zwei Knoten, von 0 an gezählt.</translation>
     </message>
     <message>
+        <source>Meshed Constraints</source>
+        <translation>Vernetzte Randbedingungen</translation>
+    </message>
+    <message>
         <source>Meshed Initial Mesh</source>
         <translation>Vernetztes Ausgangsnetz</translation>
     </message>
@@ -2457,6 +2625,10 @@
     <message>
         <source>Number of this wall's layers; 0 grows them until the fronts close. -1: not given.</source>
         <translation>Zahl der Schichten dieser Wand; bei 0 wachsen sie, bis die Fronten sich schließen. -1: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
     </message>
     <message>
         <source>Part</source>
@@ -2557,6 +2729,10 @@
     <message>
         <source>The CAD faces to mesh, by name, or all of them.</source>
         <translation>Die zu vernetzenden CAD-Flächen, mit Namen, oder alle.</translation>
+    </message>
+    <message>
+        <source>The constraints of analyses that the mesh has groups for, each with its faces.</source>
+        <translation>Die Randbedingungen von Analysen, für die das Netz Gruppen hat, jede mit ihren Flächen.</translation>
     </message>
     <message>
         <source>The edges that the values hold for. With faces too: only on the side of those faces. Faces alone: all their boundary edges, on their side.</source>

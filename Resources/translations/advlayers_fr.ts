@@ -206,8 +206,8 @@
         <translation>Remplir de tétraèdres</translation>
     </message>
     <message>
-        <source>Fills the inside of a closed layer mesh with tetrahedra, using Gmsh</source>
-        <translation>Remplit l'intérieur d'un maillage en couches fermé de tétraèdres, à l'aide de Gmsh</translation>
+        <source>Fills the inside of a closed layer mesh with tetrahedra, using Gmsh or Netgen</source>
+        <translation>Remplit l'intérieur d'un maillage en couches fermé de tétraèdres, avec Gmsh ou Netgen</translation>
     </message>
 </context>
 <context>
@@ -344,12 +344,28 @@
         <translation>Avancé</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
         <source>Angles from</source>
         <translation>Angles de</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
         <translation>Rapport d'aspect</translation>
+    </message>
+    <message>
+        <source>Axis direction</source>
+        <translation>Direction de l'axe</translation>
+    </message>
+    <message>
+        <source>Axis point</source>
+        <translation>Point de l'axe</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Arrière</translation>
     </message>
     <message>
         <source>Both ends</source>
@@ -362,6 +378,10 @@
     <message>
         <source>CGNS</source>
         <translation>CGNS</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -400,6 +420,10 @@
         <translation>Messages</translation>
     </message>
     <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Arête</translation>
     </message>
@@ -430,6 +454,10 @@
     <message>
         <source>Export Mesh</source>
         <translation>Exporter le maillage</translation>
+    </message>
+    <message>
+        <source>Extrude</source>
+        <translation>Extrusion</translation>
     </message>
     <message>
         <source>Face</source>
@@ -480,6 +508,10 @@
         <translation>Document FreeCAD</translation>
     </message>
     <message>
+        <source>Front</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
         <source>General</source>
         <translation>Général</translation>
     </message>
@@ -494,10 +526,6 @@
     <message>
         <source>Gmsh cannot fill the mesh: {}</source>
         <translation>Gmsh ne peut pas remplir le maillage : {}</translation>
-    </message>
-    <message>
-        <source>Gmsh is not installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
-        <translation>Gmsh n'est pas installé : installez le paquet gmsh, ou indiquez à FreeCAD où il se trouve sous Édition &gt; Préférences &gt; FEM &gt; Gmsh</translation>
     </message>
     <message>
         <source>Group</source>
@@ -624,6 +652,10 @@
         <translation>Maille avec les réglages ci-dessous ; OK met ensuite le maillage dans le document</translation>
     </message>
     <message>
+        <source>Most slivers</source>
+        <translation>Cellules plates au plus</translation>
+    </message>
+    <message>
         <source>Msh version</source>
         <translation>Version .msh</translation>
     </message>
@@ -634,6 +666,18 @@
     <message>
         <source>Nastran</source>
         <translation>Nastran</translation>
+    </message>
+    <message>
+        <source>Neither Gmsh nor Netgen is installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
+        <translation>Ni Gmsh ni Netgen n'est installé : installez le paquet gmsh, ou indiquez à FreeCAD où il est sous Édition &gt; Préférences &gt; FEM &gt; Gmsh</translation>
+    </message>
+    <message>
+        <source>Netgen cannot fill the mesh: {}</source>
+        <translation>Netgen ne peut pas remplir le maillage : {}</translation>
+    </message>
+    <message>
+        <source>Netgen cannot keep quads: install Gmsh, or split them</source>
+        <translation>Netgen ne peut pas garder les quadrangles : installez Gmsh ou coupez-les</translation>
     </message>
     <message>
         <source>No layers at the selected edges</source>
@@ -668,6 +712,22 @@
         <translation>OpenCASCADE y a échoué : {}</translation>
     </message>
     <message>
+        <source>OpenFOAM</source>
+        <translation>OpenFOAM</translation>
+    </message>
+    <message>
+        <source>OpenFOAM has no cells of second order: ask for order 1</source>
+        <translation>OpenFOAM n'a pas de cellules du second ordre : demandez l'ordre 1</translation>
+    </message>
+    <message>
+        <source>OpenFOAM needs cells: ask for extrude or volume</source>
+        <translation>OpenFOAM a besoin de cellules : demandez extrude ou volume</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
         <source>Out of date</source>
         <translation>Obsolète</translation>
     </message>
@@ -680,6 +740,10 @@
         <translation>Part de {} est vide : il n'y a rien à mailler</translation>
     </message>
     <message>
+        <source>Patch types</source>
+        <translation>Types des bords</translation>
+    </message>
+    <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Partie {patch} sur {patches} · couche {layer}</translation>
     </message>
@@ -690,6 +754,10 @@
     <message>
         <source>Preview: {}</source>
         <translation>Aperçu : {}</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
     </message>
     <message>
         <source>Quads</source>
@@ -940,6 +1008,10 @@
         <translation>Viscosité</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
         <source>Wall</source>
         <translation>Paroi</translation>
     </message>
@@ -1020,6 +1092,10 @@
         <translation>Deux bouts a besoin d'un resserrement</translation>
     </message>
     <message>
+        <source>cannot be kept: one is {} times as long as high, and {} is the most; split them, or raise first_height</source>
+        <translation>ne peuvent pas être gardés : l'un est {} fois plus long que haut, et {} est le maximum ; coupez-les ou augmentez la première hauteur</translation>
+    </message>
+    <message>
         <source>cannot be overwritten: {}</source>
         <translation>ne peut pas être écrasé : {}</translation>
     </message>
@@ -1056,8 +1132,20 @@
         <translation>le fichier de tâche ne peut pas être lu : {}</translation>
     </message>
     <message>
+        <source>cuts the mesh: it lies on both sides</source>
+        <translation>coupe le maillage : il se trouve des deux côtés</translation>
+    </message>
+    <message>
         <source>does not exist: {}</source>
         <translation>n'existe pas : {}</translation>
+    </message>
+    <message>
+        <source>does not go with axis_direction</source>
+        <translation>ne va pas avec axis_direction</translation>
+    </message>
+    <message>
+        <source>does not go with extrude</source>
+        <translation>ne va pas avec extrude</translation>
     </message>
     <message>
         <source>element {number} {where}: angles from {least:.1f}° to {largest:.1f}°</source>
@@ -1082,6 +1170,10 @@
     <message>
         <source>first height {} mm (Reynolds number {}); the boundary layer is some {} mm thick: {} layers of growth {}</source>
         <translation>première hauteur {} mm (nombre de Reynolds {}) ; la couche limite a une épaisseur d'environ {} mm : {} couches de croissance {}</translation>
+    </message>
+    <message>
+        <source>goes with axis_direction only</source>
+        <translation>ne va qu'avec axis_direction</translation>
     </message>
     <message>
         <source>has a member outside of itself, {}: {}</source>
@@ -1164,6 +1256,10 @@
         <translation>est endommagé : son lecteur plante ({}) : {}</translation>
     </message>
     <message>
+        <source>is exceeded in {}: {} % of the tetrahedra have an angle below {} degrees between their sides, beside elements that are thin: raise first_height there, or lower size</source>
+        <translation>est dépassé dans {} : {} % des tétraèdres ont un angle inférieur à {} degrés entre leurs faces, près des éléments minces : augmentez-y la première hauteur ou réduisez la taille</translation>
+    </message>
+    <message>
         <source>is for FCStd files only, got {}</source>
         <translation>pour les fichiers FCStd seulement, donné : {}</translation>
     </message>
@@ -1194,6 +1290,14 @@
     <message>
         <source>is no regular file: {}</source>
         <translation>n’est pas un fichier ordinaire : {}</translation>
+    </message>
+    <message>
+        <source>is not installed: {}</source>
+        <translation>n'est pas installé : {}</translation>
+    </message>
+    <message>
+        <source>is the name of the front, too: {}</source>
+        <translation>porte le nom de l'avant : {}</translation>
     </message>
     <message>
         <source>it bounds no face</source>
@@ -1356,6 +1460,10 @@
         <translation>ce dossier n'existe pas : {}</translation>
     </message>
     <message>
+        <source>makes elements of first order: it does not go with order 2</source>
+        <translation>donne des éléments du premier ordre : ne va pas avec l'ordre 2</translation>
+    </message>
+    <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
         <translation>Maillées à part, car les éléments de leurs parties ne pouvaient pas les suivre : {}</translation>
     </message>
@@ -1366,6 +1474,14 @@
     <message>
         <source>must be "all" or a list of walls, got {}</source>
         <translation>attendu "all" ou une liste de parois, donné {}</translation>
+    </message>
+    <message>
+        <source>must be "split" at order 2, got "keep"</source>
+        <translation>doit valoir "split" à l'ordre 2, pas "keep"</translation>
+    </message>
+    <message>
+        <source>must be 1 with extrude, got 2</source>
+        <translation>doit valoir 1 avec extrude, pas 2</translation>
     </message>
     <message>
         <source>must be a file of its own that ends in .json, got {}</source>
@@ -1416,12 +1532,20 @@
         <translation>attendu un objet de noms et de listes, donné {}</translation>
     </message>
     <message>
+        <source>must be an object of names and words, got {}</source>
+        <translation>doit être un objet de noms et de mots, reçu {}</translation>
+    </message>
+    <message>
         <source>must be an object, got {}</source>
         <translation>attendu un objet, donné {}</translation>
     </message>
     <message>
         <source>must be at most 1000000, got {}</source>
         <translation>au plus 1000000, donné {}</translation>
+    </message>
+    <message>
+        <source>must be at right angles to the plane, whose normal is ({}, {}, {})</source>
+        <translation>doit être perpendiculaire au plan, dont la normale est ({}, {}, {})</translation>
     </message>
     <message>
         <source>must be in the same document as the shape, got {}</source>
@@ -1444,8 +1568,16 @@
         <translation>attendu {}, donné {}</translation>
     </message>
     <message>
+        <source>must have a length</source>
+        <translation>doit avoir une longueur</translation>
+    </message>
+    <message>
         <source>must hold texts like "x y z size radius", got {}</source>
         <translation>attendu des textes comme « x y z taille rayon », donné {}</translation>
+    </message>
+    <message>
+        <source>must lie in the plane of the mesh</source>
+        <translation>doit se trouver dans le plan du maillage</translation>
     </message>
     <message>
         <source>must not be empty</source>
@@ -1500,8 +1632,16 @@
         <translation>a besoin de FreeCAD pour être écrit : lancez la tâche avec freecadcmd : {}</translation>
     </message>
     <message>
+        <source>needs a mesh of plane faces: there is no element</source>
+        <translation>a besoin d'un maillage de faces planes : aucun élément</translation>
+    </message>
+    <message>
         <source>needs both density and viscosity, or none of them</source>
         <translation>demande la masse volumique et la viscosité, ou aucune des deux</translation>
+    </message>
+    <message>
+        <source>needs plane faces: a node lies {} mm off their plane</source>
+        <translation>a besoin de faces planes : un nœud est à {} mm de leur plan</translation>
     </message>
     <message>
         <source>needs the Python package meshio (python3-meshio): {}</source>
@@ -1574,6 +1714,10 @@
     <message>
         <source>point {} of a triangulation is not finite</source>
         <translation>le point {} d'une triangulation n'est pas fini</translation>
+    </message>
+    <message>
+        <source>polyMesh: three cells share a face</source>
+        <translation>polyMesh : trois cellules partagent une face</translation>
     </message>
     <message>
         <source>quads</source>
@@ -1788,6 +1932,10 @@
         <translation>{} est venu après le maillage et n'agit pas sur lui : mettez le maillage à jour.</translation>
     </message>
     <message>
+        <source>{} cannot be filled: {} of {} cells have no volume, or a negative one</source>
+        <translation>{} ne peut pas être rempli : {} cellules sur {} ont un volume nul ou négatif</translation>
+    </message>
+    <message>
         <source>{} cannot be meshed: {}</source>
         <translation>{} ne peut pas être maillée : {}</translation>
     </message>
@@ -1952,6 +2100,10 @@
         <translation>{} nœuds milieux sont hors de la forme, jusqu'à {} mm : sur elle, des éléments courbes seraient retournés</translation>
     </message>
     <message>
+        <source>{} mid nodes of the volume's skin lie off the shape, by up to {} mm: on it, cells would be turned over</source>
+        <translation>{} nœuds milieux de la peau du volume sont hors de la forme, jusqu'à {} mm : sur elle, des cellules seraient retournées</translation>
+    </message>
+    <message>
         <source>{} must be {}, got {}</source>
         <translation>{} : attendu {}, donné {}</translation>
     </message>
@@ -1960,8 +2112,16 @@
         <translation>{} : attendu {}, donné {} ({})</translation>
     </message>
     <message>
+        <source>{} needs cells: ask for extrude or volume: {}</source>
+        <translation>{} a besoin de cellules : demandez extrude ou volume : {}</translation>
+    </message>
+    <message>
         <source>{} nodes of the initial mesh lay off the shape, by up to {} mm, and were put onto it</source>
         <translation>{} nœuds du maillage initial étaient hors de la forme, jusqu'à {} mm, et y ont été ramenés</translation>
+    </message>
+    <message>
+        <source>{} of {} tetrahedra have an angle below 5 degrees between two sides</source>
+        <translation>{} tétraèdres sur {} ont un angle inférieur à 5 degrés entre deux faces</translation>
     </message>
     <message>
         <source>{} on {} got no layers</source>
@@ -2138,6 +2298,10 @@
 </context>
 <context>
     <name>App::Property</name>
+    <message>
+        <source>2 puts a node in the middle of each mesh edge, on the shape.</source>
+        <translation>2 met un nœud au milieu de chaque arête du maillage, sur la forme.</translation>
+    </message>
     <message>
         <source>A mesh that is estimated to have more elements is refused before it is begun; 0: two million.</source>
         <translation>Un maillage qui aurait, d’après l’estimation, plus d’éléments est refusé avant d’être commencé ; 0 : deux millions.</translation>
@@ -2399,6 +2563,10 @@
         <translation>Arêtes du maillage sur les arêtes CAO : de chacune l’arête et deux nœuds, comptés à partir de 0.</translation>
     </message>
     <message>
+        <source>Meshed Constraints</source>
+        <translation>Conditions maillées</translation>
+    </message>
+    <message>
         <source>Meshed Initial Mesh</source>
         <translation>Maillage initial employé</translation>
     </message>
@@ -2457,6 +2625,10 @@
     <message>
         <source>Number of this wall's layers; 0 grows them until the fronts close. -1: not given.</source>
         <translation>Nombre de couches de cette paroi ; avec 0, elles croissent jusqu'à ce que les fronts se ferment. -1 : non précisé.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
     </message>
     <message>
         <source>Part</source>
@@ -2557,6 +2729,10 @@
     <message>
         <source>The CAD faces to mesh, by name, or all of them.</source>
         <translation>Les faces CAO à mailler, par leur nom, ou toutes.</translation>
+    </message>
+    <message>
+        <source>The constraints of analyses that the mesh has groups for, each with its faces.</source>
+        <translation>Les conditions des analyses pour lesquelles le maillage a des groupes, chacune avec ses faces.</translation>
     </message>
     <message>
         <source>The edges that the values hold for. With faces too: only on the side of those faces. Faces alone: all their boundary edges, on their side.</source>

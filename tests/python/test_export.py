@@ -9,6 +9,7 @@ import pytest
 
 from advlayers import export
 from advlayers.errors import InputError
+from advlayers.extrusion import Extrusion, extrude
 from advlayers.formats import mesh_parts
 from advlayers.outputs import Outputs
 
@@ -25,11 +26,14 @@ def parts():
 def test_every_format_is_written(parts, tmp_path, ending):
     if export.FORMATS[ending].needs:
         pytest.importorskip(export.FORMATS[ending].needs)
-    path = str(tmp_path / f"a mesh{ending}")
-    with Outputs() as outputs:
-        outputs.write(path, lambda temporary: export.FORMATS[ending].write(
-            temporary, export.Product(parts)))
-        outputs.publish()
+    path = str(tmp_path / (f"a mesh{ending}" if ending[0] == "." else "polyMesh"))
+    if export.FORMATS[ending].only_cells:
+        parts = extrude(parts, Extrusion(thickness=1.0))
+    for _again in range(2):
+        with Outputs() as outputs:
+            outputs.write(path, lambda temporary: export.FORMATS[ending].write(
+                temporary, export.Product(parts)))
+            outputs.publish()
     beside = export.beside(path)
     assert sorted(os.listdir(tmp_path)) == sorted(
         os.path.basename(made) for made in (path, beside) if made)

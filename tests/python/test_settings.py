@@ -6,11 +6,11 @@ import pytest
 from advlayers.errors import InputError
 from advlayers.settings_check import CHECKS, check_all, check_names
 from advlayers.settings_table import (
-    JOB_SETTINGS, MESH_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, Y_PLUS_SETTINGS,
-    property_name, range_said, setting)
+    EXTRUDE_SETTINGS, JOB_SETTINGS, MESH_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS,
+    VOLUME_SETTINGS, WALL_SETTINGS, Y_PLUS_SETTINGS, property_name, range_said, setting)
 
 EVERY_SETTING = (MESH_SETTINGS + JOB_SETTINGS + WALL_SETTINGS + SIZE_SETTINGS + REFINEMENT_SETTINGS
-                 + Y_PLUS_SETTINGS)
+                 + Y_PLUS_SETTINGS + EXTRUDE_SETTINGS + VOLUME_SETTINGS)
 
 
 @pytest.mark.parametrize("entry", EVERY_SETTING, ids=lambda entry: entry.key)

@@ -2,21 +2,20 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 from typing import Any, Iterator
 
 
 @contextlib.contextmanager
 def open_new(path: str) -> Iterator[Any]:
-    """A file to fill: in memory, and written at once in the end. On a full disk the library itself
-    ends the whole program. Raises OSError."""
+    """A file to fill. Raises OSError where it cannot be written whole."""
     import h5py
 
-    with h5py.File(path, "w", driver="core", backing_store=False, track_order=True) as file:
-        yield file
-        file.flush()
-        image = file.id.get_file_image()
-    with open(path, "wb") as written:
-        written.write(image)
+    try:
+        with h5py.File(path, "w", track_order=True) as file:
+            yield file
+    except RuntimeError as error:  # h5py's word for a full disk when the file is closed
+        raise OSError(errno.EIO, f"it could not be written whole: {error}", path) from error
 
 
 def folder(parent, name):

@@ -91,6 +91,8 @@ class MeshParts:
     blocks: Tuple[Block, ...]  # none of them empty; surface, then volume, then lines
     groups: Tuple[Group, ...] = ()
     names: Mapping[Tuple[int, int], str] = field(default_factory=dict)  # see name()
+    # What a flow solver takes the part or the group of a name for: "wall", "symmetry", "empty", …
+    patch_types: Mapping[str, str] = field(default_factory=dict)
     metre: float = 0.001  # length of one unit of the nodes [m]
     layer_groups: bool = False  # each layer of the surface is to be a group, too
     node_layer: Optional[Any] = None  # (n,) the layer that a node was extruded in; 0: none
@@ -223,16 +225,33 @@ class MeshParts:
 
 
 def of_mesh(mesh, named: Mapping[str, Sequence[str]], layer_groups: bool = False) -> MeshParts:
-    """Of a mesh of the core or of a document object; `named`: the groups, FaceN and EdgeN in each.
-    A group of both becomes two of that name."""
+    """Of a mesh of the core or of a document object, of second order where it has mid nodes;
+    `named`: the groups, FaceN and EdgeN in each. A group of both becomes two of that name."""
     blocks = [
         Block("quad4", mesh.quads, mesh.face_of_quad, mesh.layer_of_quad),
         Block("tri3", mesh.triangles, mesh.face_of_triangle, mesh.layer_of_triangle),
         _lines(mesh.edge_segments),
     ]
-    return MeshParts(
+    parts = MeshParts(
         mesh.nodes, tuple(block for block in blocks if len(block)), tuple(_groups(named)),
         layer_groups=layer_groups, node_layer=mesh.node_layer, node_parent=mesh.node_parent)
+    return _with_mid_nodes(parts, mesh) if len(mesh.mid_nodes) else parts
+
+
+def _with_mid_nodes(parts: MeshParts, mesh) -> MeshParts:
+    by_edge = mesh.mids_of_segment
+    lines = np.concatenate([by_edge[edge] for edge in sorted(by_edge)] or [np.zeros(0, np.int32)])
+    mids = {"quad4": ("quad8", mesh.mids_of_quad), "tri3": ("tri6", mesh.mids_of_triangle),
+            "line2": ("line3", lines)}
+    blocks = []
+    for block in parts.blocks:
+        kind, own = mids[block.kind]
+        cells = np.concatenate([block.cells, own.reshape(len(block), -1)], axis=1)
+        blocks.append(replace(block, kind=kind, cells=cells))
+    none = np.zeros(len(mesh.mid_nodes), np.int32)
+    return replace(parts, nodes=np.concatenate([parts.nodes, mesh.mid_nodes]),
+                   blocks=tuple(blocks), node_layer=np.concatenate([parts.node_layer, none]),
+                   node_parent=np.concatenate([parts.node_parent, none - 1]))
 
 
 def _lines(segments: Mapping[int, Any]) -> Block:

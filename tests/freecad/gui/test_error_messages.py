@@ -7,9 +7,10 @@ import FreeCADGui
 import pytest
 from PySide import QtGui
 
-from advlayers import layer_mesh, volume_fill
+from advlayers import layer_mesh
 from advlayers.errors import CoreMissing
 from advlayers.sentence import of_diagnostic
+from advlayers.volume import fill
 from advlayers_gui import mesh_task
 from window import (
     answer_message, child, click, edit, events, panel_of, press_cancel, press_ok, run, select,
@@ -246,15 +247,17 @@ def test_export_where_nothing_can_be_written(finished, saving, tmp_path):
     assert all(str(target) in text for text in told)
 
 
-def test_filling_what_is_not_closed(finished, monkeypatch):
-    monkeypatch.setattr(volume_fill, "gmsh_command", lambda: "gmsh")
+def test_filling_what_is_not_closed(finished):
     expect(messages("FillVolume"), ("is not closed", "nicht geschlossen", "pas fermé"))
 
 
-def test_filling_without_gmsh(finished, monkeypatch, tmp_path):
-    monkeypatch.setenv("PATH", str(tmp_path))
-    expect(messages("FillVolume"), ("Gmsh is not installed", "nicht installiert",
-                                    "pas installé"))
+def test_filling_without_gmsh(finished, monkeypatch):
+    for program in ("gmsh", "python_with_netgen"):
+        monkeypatch.setattr(fill, program, lambda: "")
+    closed = advlayers.make_layer_mesh(finished.Part, size=4)
+    select((closed, ""))
+    expect(messages("FillVolume"), ("Neither Gmsh nor Netgen", "Weder Gmsh noch Netgen",
+                                    "Ni Gmsh ni Netgen"))
 
 
 def test_an_update_that_fails(finished):

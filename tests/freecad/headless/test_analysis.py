@@ -6,7 +6,7 @@ import advlayers
 import FreeCAD
 import ObjectsFem
 import pytest
-from advlayers import analysis, check
+from advlayers import analysis, check, layer_mesh
 
 
 @pytest.fixture
@@ -96,13 +96,42 @@ tools.write_inp_file()
     assert len(bare) == len(lines) > 500
 
 
-def test_a_pressure_that_came_later_is_told(box, pressed):
+def test_a_pressure_that_came_later_puts_the_mesh_out_of_date(box, pressed):
     mesh = advlayers.make_layer_mesh(box, size=5)
+    assert mesh.State == layer_mesh.UP_TO_DATE
     pressed.addObject(mesh)
+    assert mesh.State == layer_mesh.OUT_OF_DATE
     warnings = [finding.text for finding in check.check(mesh) if finding.severity == "warning"]
     assert len([text for text in warnings if text.startswith("Pressure came after")]) == 1
     advlayers.update(mesh)
+    assert mesh.State == layer_mesh.UP_TO_DATE
     assert not [finding for finding in check.check(mesh) if "came after" in finding.text]
+
+
+def test_a_pressure_that_acts_elsewhere_now(box, pressed):
+    mesh = advlayers.make_layer_mesh(box, mesh_now=False, size=5)
+    pressed.addObject(mesh)
+    advlayers.update(mesh)
+    pressure = box.Document.Pressure
+    pressure.References = [(box, "Face5")]
+    assert mesh.State == layer_mesh.OUT_OF_DATE
+    advlayers.update(mesh)
+    groups = {mesh.FemMesh.getGroupName(i): mesh.FemMesh.getGroupElements(i)
+              for i in mesh.FemMesh.Groups}
+    assert groups["Pressure_Faces"] == groups["Face5"]
+    pressed.removeObject(pressure)
+    assert mesh.State == layer_mesh.UP_TO_DATE  # a group too many does no harm
+
+
+def test_a_new_pressure_in_the_analysis(box, pressed):
+    mesh = advlayers.make_layer_mesh(box, mesh_now=False, size=5)
+    pressed.addObject(mesh)
+    advlayers.update(mesh)
+    late = ObjectsFem.makeConstraintPressure(box.Document, "Late")
+    late.References = [(box, "Face4")]
+    pressed.addObject(late)
+    assert mesh.State == layer_mesh.OUT_OF_DATE
+    assert analysis.missing_groups(mesh) == ["Late_Faces"]
 
 
 def test_membership(box, pressed):

@@ -5,8 +5,9 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 import pytest
-from advlayers import initial_mesh, layer_mesh, volume_fill
+from advlayers import initial_mesh, layer_mesh
 from advlayers.errors import InputError
+from advlayers.volume.programs import gmsh
 
 SETTINGS = {"size": 4, "first_height": 0.4, "layers": 1}
 
@@ -15,9 +16,7 @@ def gmsh_object(box, size, dimension="2D", order="1st"):
     """Meshed by FreeCAD's Gmsh, in an analysis."""
     from femmesh import gmshtools
 
-    try:
-        volume_fill.gmsh_command()
-    except InputError:
+    if not gmsh():
         pytest.skip("Gmsh is not installed")
     document = box.Document
     made = ObjectsFem.makeMeshGmsh(document, "FEMMeshGmsh")

@@ -1,8 +1,10 @@
-"""A layer mesh under load: CalculiX takes it as shells and gives what beam theory gives."""
+"""Layer meshes under load: CalculiX takes them as shells and, filled, as solids, and gives what
+beam theory gives."""
 import advlayers
 import FreeCAD
 import ObjectsFem
 import pytest
+from advlayers import volume_fill
 from femtools import ccxtools
 
 LENGTH, WIDTH, THICKNESS = 100.0, 20.0, 2.0  # mm
@@ -24,12 +26,8 @@ def edge_at(shape, x):
     raise AssertionError(f"no edge at x = {x}")
 
 
-def analysis_of(document):
-    plate = document.addObject("Part::Plane", "Plate")
-    plate.Length, plate.Width = LENGTH, WIDTH
-    document.recompute()
-    fixed_edge, loaded_edge = edge_at(plate.Shape, 0.0), edge_at(plate.Shape, LENGTH)
-
+def analysis_of(document, body, fixed_part, loaded_part, direction):
+    """Of steel, held and pushed; what its mesh is comes later."""
     analysis = ObjectsFem.makeAnalysis(document, "Analysis")
     name = "makeSolverCalculiXCcxTools"
     make_solver = getattr(ObjectsFem, name, None) or ObjectsFem.makeSolverCalculixCcxTools
@@ -38,28 +36,22 @@ def analysis_of(document):
     material = ObjectsFem.makeMaterialSolid(document, "Steel")
     material.Material = {**material.Material, "Name": "Steel", "YoungsModulus": f"{MODULUS} MPa",
                          "PoissonRatio": "0.3", "Density": "7900 kg/m^3"}
-    shell = ObjectsFem.makeElementGeometry2D(document, THICKNESS, "Shell")
     fixed = ObjectsFem.makeConstraintFixed(document, "Fixed")
-    fixed.References = [(plate, fixed_edge)]
+    fixed.References = [(body, fixed_part)]
     force = ObjectsFem.makeConstraintForce(document, "Force")
-    force.References = [(plate, loaded_edge)]
+    force.References = [(body, loaded_part)]
     force.Force = FORCE if isinstance(force.Force, float) else f"{FORCE} N"
-    force.Direction = (plate, ["Face1"])
-    # FEM takes the nodes of a group that bears a constraint's name.
-    mesh = advlayers.make_layer_mesh(plate, size=5, first_height=1, growth=1.3,
-                                     groups={"Fixed_Nodes": [fixed_edge]})
-    for member in (solver, material, shell, fixed, force, mesh):
-        analysis.addObject(member)
-    document.recompute()
-    return analysis, solver, mesh
+    force.Direction = (body, [direction])
+    analysis.addObjects([solver, material, fixed, force])
+    return analysis, solver
 
 
-def test_a_cantilever(document, tmp_path):
-    analysis, solver, mesh = analysis_of(document)
-    assert mesh.QuadPercent > 90.0
+def largest_displacement(analysis, solver, folder):
+    """And the lines of the deck that CalculiX read."""
+    analysis.Document.recompute()
     run = ccxtools.FemToolsCcx(analysis, solver)
     run.update_objects()
-    run.setup_working_dir(str(tmp_path))
+    run.setup_working_dir(str(folder))
     run.setup_ccx()
     assert run.check_prerequisites() == ""
     run.purge_results()
@@ -67,6 +59,48 @@ def test_a_cantilever(document, tmp_path):
     assert run.ccx_run() == 0
     run.load_results()
     result = next(entry for entry in analysis.Group if hasattr(entry, "DisplacementLengths"))
+    with open(run.inp_file_name, encoding="utf-8") as file:
+        return max(result.DisplacementLengths), file.read().splitlines()
+
+
+@pytest.mark.parametrize("order, kinds", [(1, {"S3", "S4"}), (2, {"S6", "S8"})])
+def test_a_cantilever(document, tmp_path, order, kinds):
+    plate = document.addObject("Part::Plane", "Plate")
+    plate.Length, plate.Width = LENGTH, WIDTH
+    document.recompute()
+    fixed_edge, loaded_edge = edge_at(plate.Shape, 0.0), edge_at(plate.Shape, LENGTH)
+    analysis, solver = analysis_of(document, plate, fixed_edge, loaded_edge, "Face1")
+    analysis.addObject(ObjectsFem.makeElementGeometry2D(document, THICKNESS, "Shell"))
+    # FEM takes the nodes of a group that bears a constraint's name.
+    mesh = advlayers.make_layer_mesh(plate, size=5, first_height=1, growth=1.3, order=order,
+                                     groups={"Fixed_Nodes": [fixed_edge]})
+    assert mesh.QuadPercent > 90.0
+    analysis.addObject(mesh)
+    found, deck = largest_displacement(analysis, solver, tmp_path)
+    written = {line.split("TYPE=")[1].split(",")[0].strip().upper() for line in
+               map(str.upper, deck) if line.startswith("*ELEMENT") and "TYPE=" in line}
+    assert written & kinds and written <= kinds
     inertia = WIDTH * THICKNESS ** 3 / 12.0
     expected = FORCE * LENGTH ** 3 / (3.0 * MODULUS * inertia)
-    assert max(result.DisplacementLengths) == pytest.approx(expected, rel=0.05)
+    assert found == pytest.approx(expected, rel=0.05 if order == 1 else 0.02)
+
+
+def test_a_solid_cantilever(document, tmp_path):
+    """Filled with tetrahedra of second order; a beam that gives in shear, too."""
+    side = 10.0
+    beam = document.addObject("Part::Box", "Beam")
+    beam.Length, beam.Width, beam.Height = LENGTH, side, side
+    document.recompute()
+    faces = {round(face.CenterOfMass.x, 6): f"Face{i}"
+             for i, face in enumerate(beam.Shape.Faces, 1) if face.Area < 2 * side * side}
+    top = next(f"Face{i}" for i, face in enumerate(beam.Shape.Faces, 1)
+               if face.CenterOfMass.z == side)
+    analysis, solver = analysis_of(document, beam, faces[0.0], faces[LENGTH], top)
+    mesh = advlayers.make_layer_mesh(beam, size=4, first_height=1, layers=1, order=2)
+    analysis.addObject(volume_fill.fill(mesh))
+    found, deck = largest_displacement(analysis, solver, tmp_path)
+    assert any("C3D10" in line.upper() for line in deck)
+    inertia = side ** 4 / 12.0
+    shear = FORCE * LENGTH * 1.2 * 2.0 * 1.3 / (MODULUS * side ** 2)
+    expected = FORCE * LENGTH ** 3 / (3.0 * MODULUS * inertia) + shear
+    assert found == pytest.approx(expected, rel=0.02)
