@@ -1,8 +1,9 @@
-"""Writes docs/settings.md, and the settings in the core's stub, from the rows that the program
-itself follows.
+"""Writes docs/settings.md, the settings in the core's stub, and the copy of the core's rows that
+serves where there is no core, from the rows that the program itself follows.
 
-Run by `./dev docs`; the tests compare both with what this would write.
+Run by `./dev docs`; the tests compare all with what this would write.
 """
+import json
 import os
 import sys
 
@@ -12,6 +13,7 @@ for part in ("App", os.path.join("mesher_core", "python")):
 
 PAGE = os.path.join(ROOT, "docs", "settings.md")
 STUB = os.path.join(ROOT, "mesher_core", "python", "advlayers_core", "_core.pyi")
+SCHEMA_FILE = os.path.join(ROOT, "App", "advlayers", "schema.json")
 
 _HEAD = """# Settings
 
@@ -163,6 +165,13 @@ def stub():
     return before + _BEGIN + _settings_class(advlayers_core.schema()["mesh"]) + _END + after
 
 
+def schema():
+    """What App reads where there is no core."""
+    import advlayers_core
+
+    return json.dumps(advlayers_core.schema(), indent=1, ensure_ascii=False) + "\n"
+
+
 def _settings_class(rows):
     lines = ['    """What is asked for, by the keys of docs/settings.md.', "",
              "    Raises InvalidInput naming the setting and its value. What depends on the model",
@@ -197,6 +206,6 @@ def _formats():
 
 
 if __name__ == "__main__":
-    for path, text in ((PAGE, page()), (STUB, stub())):
+    for path, text in ((PAGE, page()), (STUB, stub()), (SCHEMA_FILE, schema())):
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)

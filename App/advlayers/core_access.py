@@ -2,8 +2,10 @@
 from __future__ import annotations
 
 import importlib
+import json
 import os
 import sys
+from typing import Any, Dict
 
 from advlayers.errors import CoreMissing
 
@@ -18,3 +20,16 @@ def load_core():
         raise CoreMissing(
             "the meshing core is not built for this FreeCAD (Python {}): run \"./dev build\" in {} "
             "and start FreeCAD again ({})", version, root, error) from error
+
+
+# Its copy, for a FreeCAD without a core: documents keep their objects and the commands their words.
+SCHEMA_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "schema.json")
+
+
+def core_schema() -> Dict[str, Any]:
+    """The rows of all settings that the core knows."""
+    try:
+        return load_core().schema()
+    except CoreMissing:
+        with open(SCHEMA_FILE, encoding="utf-8") as file:
+            return json.load(file)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, FrozenSet, Iterable, List, Mapping, Optional, Tuple, Union
 
-from advlayers.core_access import load_core
+from advlayers.core_access import core_schema
 from advlayers.sentence import Sentence, tell_settings
 
 
@@ -47,7 +47,7 @@ _WORKED_OUT = ("size", "first_height")
 def _of_core(row: Mapping[str, Any], required: bool) -> Setting:
     return Setting(
         row["key"], row["kind"], row["default"], row["doc"], row["unit"], row["lowest"],
-        row["highest"], row["above"], row["below"], row["choices"],
+        row["highest"], row["above"], row["below"], tuple(row["choices"]),
         required=required and row["required"])
 
 
@@ -63,7 +63,7 @@ def _table(name: str) -> Tuple[Setting, ...]:
                  for entry in (_of_core(row, True) for row in _SCHEMA[name]))
 
 
-_SCHEMA = load_core().schema()
+_SCHEMA = core_schema()
 
 # What one wall, one size and one point of refinement of a list may say; a number that a wall does
 # not give is that of the mesh.

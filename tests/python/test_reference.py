@@ -23,3 +23,9 @@ def test_the_stub_is_up_to_date():
     made = reference()
     with open(made.STUB, encoding="utf-8") as file:
         assert file.read() == made.stub(), "run ./dev docs"
+
+
+def test_the_copy_of_the_schema_is_up_to_date():
+    made = reference()
+    with open(made.SCHEMA_FILE, encoding="utf-8") as file:
+        assert file.read() == made.schema(), "run ./dev docs"

@@ -144,6 +144,8 @@ def test_what_went_wrong_is_told(mesh, monkeypatch):
     from advlayers_gui import mesh_task
 
     class Broken:
+        RunContext = mesh_task.load_core().RunContext
+
         def __getattr__(self, name):
             raise RuntimeError("the shape is broken")
 

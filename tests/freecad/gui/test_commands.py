@@ -177,7 +177,8 @@ def test_export_asks_for_a_file(mesh, tmp_path, monkeypatch):
     titles = []
     monkeypatch.setattr(
         QtGui.QFileDialog, "getSaveFileName",
-        lambda *arguments: titles.extend(arguments[3].split(";;")) or (path[:-4], titles[1]))
+        lambda *arguments: titles.extend(arguments[3].split(";;")) or (
+            path[:-4], next(title for title in titles if ".unv" in title)))
     run("Export")
     assert len(titles) == sum(not entry.only_cells for entry in FORMATS.values())
     assert os.path.getsize(path[:-4] + list(FORMATS)[1]) > 1000

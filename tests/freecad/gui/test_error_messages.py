@@ -3,6 +3,7 @@ a command, in words that the user understands, in the user's language."""
 import re
 
 import advlayers
+import advlayers_core as core
 import FreeCADGui
 import pytest
 from PySide import QtGui
@@ -80,10 +81,6 @@ def no_height(_mesh):
     set_field("first_height", 0.0)
 
 
-def too_much_growth(_mesh):
-    child(QtGui.QDoubleSpinBox, "LayerMesh_growth").setValue(11.0)
-
-
 def lost_face(mesh):
     mesh.Faces = ["Face99"]
 
@@ -143,7 +140,6 @@ SPOILT = (
     (no_size, ("Size must be > 0 mm", "Elementgröße", "Taille")),
     (tiny_size, ("Size is too small", "zu klein", "trop petite")),
     (no_height, ("First height must be > 0 mm", "Erste Höhe", "Première hauteur")),
-    (too_much_growth, ("Growth must be <= 10", "Wachstumsfaktor", "Croissance")),
     (lost_face, ("Face99 is not there any more", "gibt es nicht mehr", "n'existe plus")),
     (wall_of_nothing, ("refers to nothing", "bezieht sich auf nichts", "ne se rapporte à rien")),
     (thickness_below_the_height, ("less than the first height", "geringer", "inférieure")),
@@ -294,3 +290,12 @@ def test_what_the_fields_round_stays_exact(box):
         3.123456789, 0.0123456789, 1.234567)
     assert made.WallList[0].FirstHeight.Value == 0.0234567891
     assert made.State == layer_mesh.UP_TO_DATE
+
+
+def test_a_field_holds_what_the_schema_allows(box):
+    opened(box)
+    growth = child(QtGui.QDoubleSpinBox, "LayerMesh_growth")
+    (row,) = [row for row in core.schema()["mesh"] if row["key"] == "growth"]
+    growth.setValue(2 * row["highest"])
+    assert growth.value() == row["highest"]
+    press_cancel()

@@ -134,7 +134,7 @@ def test_findings_lead_to_their_place(mesh):
     panel_of(mesh).show_results()
     events()
     findings = child(QtGui.QListWidget, "AdvLayersFindings")
-    rows = [row for row in range(findings.count()) if "of 30 layers" in findings.item(row).text()]
+    rows = [row for row in range(findings.count()) if "layers of 30" in findings.item(row).text()]
     assert rows and not findings.item(rows[0]).icon().isNull()
     name = findings.item(rows[0]).text().split(" got ")[0]
     before = _focus(FreeCADGui.getDocument(mesh.Document.Name).ActiveView)

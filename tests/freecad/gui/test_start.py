@@ -22,7 +22,7 @@ def test_start_up_costs_next_to_nothing(tmp_path):
             seen["seconds"] = start()
             seen["modules"] = sorted(name for name in sys.modules if "advlayers" in name)
         """)
-        assert seen["modules"] == ["advlayers"], "start-up imports what it does not need"
+        assert seen["modules"] == ["advlayers", "advlayers.window"], "more than start-up needs"
         seconds.append(seen["seconds"])
     assert min(seconds) < START_UP_SECONDS, seconds
 

@@ -93,7 +93,7 @@ def test_what_the_mesher_has_to_say_is_translated(box, language, words):
     finally:
         FreeCADGui.setLocale("English")
         events()
-    assert any("of 30 layers" in finding.text for finding in check.check(mesh))
+    assert any("layers of 30" in finding.text for finding in check.check(mesh))
 
 
 def cut_off(page):
