@@ -8,14 +8,14 @@ import numpy as np
 from advlayers.formats import plane
 from advlayers.formats.mesh_parts import KINDS, Block, Group, MeshParts, of_mesh
 
-NAMES = ("solid", "plane", "facets", "second", "extruded", "filled")
+NAMES = ("solid", "plane", "facets", "second", "extruded", "filled", "filled second")
 THICKNESS = 0.75
 
 
 @lru_cache(maxsize=None)
 def case(name):
     return {"solid": _solid, "plane": _plane, "facets": _facets, "second": _second,
-            "extruded": _extruded, "filled": _filled}[name]()
+            "extruded": _extruded, "filled": _filled, "filled second": _filled_second}[name]()
 
 
 def _solid():
@@ -61,12 +61,24 @@ SECOND = {"line2": "line3", "tri3": "tri6", "quad4": "quad8", "tet4": "tet10"}
 
 def _second():
     """The bracket with a node in the middle of each side, moved off the straight line."""
-    parts = _solid()
+    return _with_middles(_solid(), 0.001)
+
+
+def _filled_second():
+    parts = _filled()
+    return _with_middles(parts.with_blocks(
+        block for block in parts.blocks if block.kind != "pyramid5"), 0.0)
+
+
+def _with_middles(parts, shift):
+    used = np.unique(np.concatenate([block.cells.ravel() for block in parts.blocks]))
+    assert np.array_equal(used, np.arange(len(used)))  # a node that is left out is a last one
+    parts = replace(parts, nodes=parts.nodes[:len(used)])
     sides = np.concatenate([np.sort(block.cells[:, list(side)], axis=1) for block in parts.blocks
                             for side in KINDS[SECOND[block.kind]].sides])
     sides = np.unique(sides, axis=0)
     middles = parts.nodes[sides].mean(axis=1)
-    middles += 0.001 * np.sin(middles[:, ::-1])
+    middles += shift * np.sin(middles[:, ::-1])
     keys = sides[:, 0].astype(np.int64) * len(parts.nodes) + sides[:, 1]
     blocks = []
     for block in parts.blocks:

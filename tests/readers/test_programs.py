@@ -146,7 +146,8 @@ def test_calculix_finds_the_surface_of_edges(tmp_path):
 
 
 @pytest.mark.parametrize("name, surface, number", [("extruded", "front", 1001),
-                                                   ("filled", "bottom", 5)])
+                                                   ("filled", "bottom", 5),
+                                                   ("filled second", "bottom", 5)])
 def test_calculix_takes_solids(tmp_path, name, surface, number):
     """A non-positive jacobian would end the run; pressure on the surface of some faces."""
     needs("ccx")

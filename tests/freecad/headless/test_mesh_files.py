@@ -12,11 +12,12 @@ from advlayers.formats import inp, med, obj, stl, unv, vtk, vtu
 TESTS = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path += [os.path.join(TESTS, "readers"), os.path.join(TESTS, "python")]
 
-from mesh_cases import case  # noqa: E402
+from mesh_cases import NAMES, case  # noqa: E402
 
 # FreeCAD's order of the nodes of volume elements.
 ORDERS = {("Volume", 4): [0, 2, 1, 3], ("Volume", 5): [0, 3, 2, 1, 4],
-          ("Volume", 6): [0, 2, 1, 3, 5, 4], ("Volume", 8): [0, 3, 2, 1, 4, 7, 6, 5]}
+          ("Volume", 10): [0, 2, 1, 3, 6, 5, 4, 7, 9, 8], ("Volume", 6): [0, 2, 1, 3, 5, 4],
+          ("Volume", 8): [0, 3, 2, 1, 4, 7, 6, 5]}
 
 
 def elements_of(fem):
@@ -54,7 +55,7 @@ def wanted_groups(parts, dimensions):
     return found
 
 
-@pytest.mark.parametrize("name", ["solid", "plane", "facets", "second", "extruded", "filled"])
+@pytest.mark.parametrize("name", NAMES)
 def test_med(tmp_path, name):
     pytest.importorskip("h5py")
     parts, path = case(name), str(tmp_path / "a mesh.med")
@@ -64,7 +65,8 @@ def test_med(tmp_path, name):
     assert groups_of(fem) == wanted_groups(parts, (1, 2, 3))
 
 
-@pytest.mark.parametrize("name", ["solid", "plane", "facets", "second", "extruded"])
+@pytest.mark.parametrize("name", ["solid", "plane", "facets", "second", "extruded",
+                                  "filled second"])
 def test_unv(tmp_path, name):
     parts, path = case(name), str(tmp_path / "mesh.unv")
     unv.write(path, parts)
@@ -103,7 +105,7 @@ def test_facets(tmp_path, name):
         assert mesh.CountPoints == len(parts.nodes)
 
 
-@pytest.mark.parametrize("name", ["solid", "second", "extruded", "filled"])
+@pytest.mark.parametrize("name", ["solid", "second", "extruded", "filled", "filled second"])
 def test_both_ways_to_a_document_are_one(name):
     """Through a file, and node by node with a look at the request to stop."""
     parts = case(name)
