@@ -1,8 +1,11 @@
 #include "geometry/evaluator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <vector>
 
 #include "geometry/edge_curve.h"
 #include "geometry/face_domain.h"
@@ -12,6 +15,29 @@
 #include "geometry/occt_shape.h"
 
 namespace advlayers {
+
+namespace {
+
+// What was made of some of the model's many faces or edges, page by page: every patch has an
+// evaluator, and with a place for each face in each of them thousands of faces would take
+// gigabytes.
+template <class Made>
+class Slots {
+ public:
+  void resize(std::size_t count) { pages_.resize((count + kPage - 1) / kPage); }
+  std::unique_ptr<Made>& operator[](std::size_t i) {
+    std::unique_ptr<Page>& page = pages_[i / kPage];
+    if (!page) page = std::make_unique<Page>();
+    return (*page)[i % kPage];
+  }
+
+ private:
+  static constexpr std::size_t kPage = 64;
+  using Page = std::array<std::unique_ptr<Made>, kPage>;
+  std::vector<std::unique_ptr<Page>> pages_;
+};
+
+}  // namespace
 
 struct Evaluator::Impl {
   explicit Impl(const Model& m) : model(&m) {
@@ -89,10 +115,10 @@ struct Evaluator::Impl {
   }
 
   const Model* model;
-  std::vector<std::unique_ptr<FaceSurface>> surfaces;
-  std::vector<std::unique_ptr<FaceDomain>> domains;
-  std::vector<std::unique_ptr<FaceSamples>> samples;
-  std::vector<std::unique_ptr<EdgeCurve>> curves;
+  Slots<FaceSurface> surfaces;
+  Slots<FaceDomain> domains;
+  Slots<FaceSamples> samples;
+  Slots<EdgeCurve> curves;
 };
 
 Evaluator::Evaluator(const Model& model) : impl_(std::make_unique<Impl>(model)) {}

@@ -95,6 +95,7 @@ Mesher::Impl::Impl(RunContext& the_context, const Model& the_model, const Settin
       model(the_model),
       settings(in_edges_of(the_model, the_settings)),
       threads(useful_threads(the_settings.threads)) {
+  const StageScope stage(context, RunStage::kBoundary);
   check(settings, model);
   place_initial_mesh();
   make_jobs();
@@ -115,6 +116,7 @@ void Mesher::Impl::place_initial_mesh() {
 void Mesher::Impl::make_jobs() {
   PatchJobs before = std::exchange(jobs, {});
   for (std::vector<FaceId>& faces : group_faces(model, settings)) {
+    context.check();
     const PatchId id(jobs.size());
     const auto same = std::find_if(before.begin(), before.end(), [&](const auto& job) {
       return job != nullptr && job->finished() && job->faces() == faces;

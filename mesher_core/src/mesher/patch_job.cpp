@@ -1,127 +1,74 @@
 #include "mesher/patch_job.h"
 
-#include <algorithm>
-#include <cmath>
-#include <new>
 #include <utility>
 
-#include "core/core_collapses.h"
-#include "core/core_improvement.h"
-#include "imprint/imprint_edges.h"
 #include "measure/core_region.h"
-#include "mend/inversion.h"
 #include "mend/split_inside.h"
 #include "mesh/validate.h"
+#include "mesher/core_completion.h"
 #include "mesher/element_faces.h"
 #include "mesher/narrow_strip.h"
-#include "mesher/triangle_cause.h"
 #include "mesher/wall_report.h"
-#include "mesher/wall_shortfalls.h"
-#include "quads/recombine.h"
 #include "triangulate/triangulate.h"
 
 namespace advlayers {
-namespace {
-
-template <class Id, std::size_t kCount>
-void add_named(const std::array<int, kCount>& counts, const std::array<Named<Id>, kCount>& names,
-               std::map<std::string, int>& total) {
-  for (const auto& [id, name] : names) {
-    const int count = counts[static_cast<std::size_t>(id)];
-    if (count > 0) total[name] += count;
-  }
-}
-
-}  // namespace
 
 PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
                    const Settings& settings)
-    : id_(id),
-      faces_(std::move(faces)),
+    : faces_(std::move(faces)),
+      record_(id, faces_),
       settings_(&settings),
       evaluator_(model),
       surface_(evaluator_, faces_, feature_rule(settings)) {
   for (const FaceId face : faces_) area_ += model.face(face).area;
-  report_.patch = id;
-  report_.faces = faces_;
   for (const FaceId face : faces_) {
     const Sentence& defect = model.face(face).defect;
     if (defect.empty()) continue;
-    complain(Severity::kError, "face-defect",
-             Sentence("{} is not meshed: {}", face_name(face), defect));
-    defective_ = true;
-  }
-}
-
-void PatchJob::complain(Severity severity, const char* code, Sentence sentence) {
-  Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.code = code;
-  diagnostic.patch = id_;
-  diagnostic.layer = report_.layers;
-  diagnostic.sentence = std::move(sentence);
-  diagnostics_.push_back(std::move(diagnostic));
-}
-
-// Runs a stage of this patch; what it throws becomes a diagnostic, and the other patches go on.
-template <class Stage>
-bool PatchJob::guard(const char* code, const Stage& stage) {
-  try {
-    stage();
-    return true;
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    const std::string name = patch_name(faces_);
-    const auto* told = dynamic_cast<const Told*>(&error);
-    const Sentence why = told ? told->sentence() : Sentence("{}", error.what());
-    const bool named = why.english().find(name) != std::string::npos;
-    complain(Severity::kError, code, named ? why : Sentence("{}: {}", name, why));
-    return false;
+    record_.complain(Severity::kError, "face-defect",
+                     Sentence("{} is not meshed: {}", face_name(face), defect));
+    stage_ = Stage::kDefective;
   }
 }
 
 void PatchJob::plan(const RunContext& context) {
   context.check();
-  if (defective_) return;
-  defective_ = !guard("face-not-meshed", [&] {
+  if (stage_ == Stage::kDefective) return;
+  const bool planned = record_.guard("face-not-meshed", [&] {
     walls_ = plan_walls(evaluator_, *settings_, faces_);
     matches_ = plan_matches(evaluator_, faces_, walls_);
-    for (Diagnostic& note : matches_.notes) note.patch = id_;
     strip_ = find_narrow_strip(evaluator_, faces_, walls_, *settings_);
   });
+  if (!planned) stage_ = Stage::kDefective;
 }
 
 std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
                                           const Discretization& boundary) {
-  if (defective_) return {};
-  diagnostics_ = matches_.notes;
+  if (stage_ == Stage::kDefective) return {};
+  record_.begin(matches_.notes);
   std::vector<EdgeId> coarse;
-  meshed_ = guard("face-not-meshed", [&] {
+  bool in_rows = false;
+  bool meshed = record_.guard("face-not-meshed", [&] {
     resolve_heights(evaluator_, boundary, walls_);
     if (walls_.edges.empty()) {
-      complain(Severity::kInfo, "no-boundary",
-               Sentence("{} has no boundary edge that layers could grow from", patch_name(faces_)));
+      record_.complain(
+          Severity::kInfo, "no-boundary",
+          Sentence("{} has no boundary edge that layers could grow from", patch_name(faces_)));
     }
-    if (fill_in_rows(boundary)) return;
+    in_rows = fill_in_rows(boundary);
+    if (in_rows) return;
     try {
       Triangulation made =
           advlayers::triangulate(context, surface_, evaluator_, boundary, *settings_);
       mesh_ = std::move(made.mesh);
       coarse = std::move(made.coarse_edges);
       initial_nodes_ = made.initial_nodes;
-      for (Diagnostic& diagnostic : made.diagnostics) {
-        diagnostic.patch = id_;
-        diagnostics_.push_back(std::move(diagnostic));
-      }
+      record_.take(made.diagnostics);
     } catch (const BoundaryTooCoarse& error) {
       coarse = error.edges();
       throw;
     }
   });
-  growing_ = meshed_ && !in_rows_;
+  stage_ = !meshed ? Stage::kUnmeshed : in_rows ? Stage::kInRows : Stage::kGrowing;
   return coarse;
 }
 
@@ -129,9 +76,8 @@ std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
 bool PatchJob::fill_in_rows(const Discretization& boundary) {
   std::optional<SurfaceMesh> rows;
   if (strip_) rows = mesh_in_rows(evaluator_, surface_, boundary, *strip_, walls_, *settings_);
-  in_rows_ = rows.has_value();
   stops_.clear();
-  if (!in_rows_) return false;
+  if (!rows) return false;
   mesh_ = std::move(*rows);
   for (std::size_t i = 0; i < mesh_.vertex_capacity(); ++i) {
     const VertexH v(i);
@@ -142,66 +88,62 @@ bool PatchJob::fill_in_rows(const Discretization& boundary) {
 
 std::optional<LayerReport> PatchJob::advance(const RunContext& context) {
   std::optional<LayerReport> report;
-  if (!growing_) return report;
-  growing_ = guard("layers-stopped",
-                   [&] {
-                     if (!layers_) {
-                       layers_ =
-                           std::make_unique<PatchLayers>(context, id_, mesh_, surface_, walls_);
-                     }
-                     report = layers_->advance();
-                   }) &&
-             report.has_value();
-  if (!growing_) return std::nullopt;
-  report_.layers = report->layer;
-  add_named(report->vetoes, kVetoes, report_.vetoes);
-  add_named(report->events, kEvents, report_.events);
+  if (stage_ != Stage::kGrowing) return report;
+  const bool sound = record_.guard("layers-stopped", [&] {
+    if (!layers_) {
+      layers_ = std::make_unique<PatchLayers>(context, id(), mesh_, surface_, walls_);
+    }
+    report = layers_->advance();
+  });
+  if (!sound || !report) {
+    stage_ = Stage::kGrown;
+    return std::nullopt;
+  }
+  record_.add_layer(*report);
   return report;
 }
 
 // The layers watch the mesh for edges to swap; what follows is no business of theirs.
 void PatchJob::end_layers() {
-  growing_ = false;
+  if (stage_ == Stage::kGrowing) stage_ = Stage::kGrown;
   if (!layers_) return;
-  const auto& told = layers_->diagnostics();
-  diagnostics_.insert(diagnostics_.end(), told.begin(), told.end());
+  record_.take(layers_->diagnostics());
   stops_ = layers_->stops();
   layers_.reset();
   thaw_core_edges(mesh_);
 }
 
-void PatchJob::complete(const RunContext& context) {
-  improve_core(context, mesh_, surface_);
-  if (settings_->core == CoreElements::kQuads) recombine(context, mesh_, surface_);
-  mend_inverted(context, mesh_, surface_);
-  return_to_core(mesh_);
-}
-
-int PatchJob::count_inverted(const RunContext& context) {
-  int inverted = 0;
-  for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
-    context.check();
-    if (mesh_.alive(FaceH(i)) && is_inverted(mesh_, FaceH(i), surface_)) ++inverted;
+void PatchJob::finish(const RunContext& context, const Discretization& boundary) {
+  if (stage_ == Stage::kFinished) return;
+  end_layers();
+  if (stage_ == Stage::kInRows) stage_ = Stage::kFinished;
+  if (stage_ != Stage::kGrown) return;
+  if (const std::string fault = find_connectivity_fault(mesh_); !fault.empty()) {
+    record_.complain(Severity::kError, "face-not-meshed",
+                     Sentence("{}: its layers broke the mesh: {}", patch_name(faces_), fault));
+    stage_ = Stage::kUnmeshed;
+    return;
   }
-  return inverted;
-}
-
-// The layers ran across the edges inside the patch; here every element comes to lie on one face.
-// Where that would cost an element turned over, elements reach over the edges instead.
-void PatchJob::complete_along_edges(const RunContext& context, const Discretization& boundary) {
-  SurfaceMesh across = mesh_;
-  int crossing = imprint_edges(context, mesh_, surface_, boundary);
-  collapse_slivers(context, mesh_);
-  complete(context);
-  if (const int inverted = count_inverted(context); inverted > 0) {
-    std::swap(mesh_, across);
-    complete(context);
-    if (count_inverted(context) < inverted) {
-      crossing = -1;
+  mesh_.put_in_order();
+  const SurfaceMesh before = mesh_;
+  const bool done = record_.guard("core-not-improved", [&] {
+    return_to_core(mesh_);
+    if (surface_.has_inner_edges() && !surface_.faceted()) {
+      tell_of_crossings(complete_core_along_edges(context, mesh_, surface_, boundary, *settings_));
     } else {
-      std::swap(mesh_, across);
+      complete_core(context, mesh_, surface_, *settings_);
     }
-  }
+    if (faces_.size() > 1) find_faces(boundary);
+    const std::string fault = find_connectivity_fault(mesh_);
+    if (!fault.empty()) throw InternalError(fault);
+  });
+  stage_ = Stage::kFinished;
+  if (done) return;
+  mesh_ = before;
+  face_of_.clear();
+}
+
+void PatchJob::tell_of_crossings(int crossing) {
   if (crossing == 0) return;
   const Sentence some(
       "{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces",
@@ -209,47 +151,8 @@ void PatchJob::complete_along_edges(const RunContext& context, const Discretizat
   const Sentence all(
       "{}: its elements reach over edges inside the patch; lower feature_angle to part its faces",
       patch_name(faces_));
-  complain(Severity::kWarning, "elements-cross-edges", crossing > 0 ? some : all);
-}
-
-void PatchJob::renumber(PatchId id) {
-  id_ = report_.patch = id;
-  for (auto* notes : {&diagnostics_, &matches_.notes}) {
-    for (Diagnostic& note : *notes) note.patch = id;
-  }
-}
-
-void PatchJob::finish(const RunContext& context, const Discretization& boundary) {
-  if (finished_) return;
-  end_layers();
-  if (!meshed_) return;
-  if (in_rows_) {
-    finished_ = true;
-    return;
-  }
-  if (const std::string fault = find_connectivity_fault(mesh_); !fault.empty()) {
-    complain(Severity::kError, "face-not-meshed",
-             Sentence("{}: its layers broke the mesh: {}", patch_name(faces_), fault));
-    meshed_ = false;
-    return;
-  }
-  mesh_.put_in_order();
-  const SurfaceMesh before = mesh_;
-  const bool done = guard("core-not-improved", [&] {
-    return_to_core(mesh_);
-    if (surface_.has_inner_edges() && !surface_.faceted()) {
-      complete_along_edges(context, boundary);
-    } else {
-      complete(context);
-    }
-    if (faces_.size() > 1) find_faces(boundary);
-    const std::string fault = find_connectivity_fault(mesh_);
-    if (!fault.empty()) throw InternalError(fault);
-  });
-  finished_ = true;
-  if (done) return;
-  mesh_ = before;
-  face_of_.clear();
+  record_.complain(Severity::kWarning, "elements-cross-edges",
+                   crossing != kAllMayCross ? some : all);
 }
 
 void PatchJob::find_faces(const Discretization& boundary) {
@@ -259,75 +162,21 @@ void PatchJob::find_faces(const Discretization& boundary) {
 }
 
 void PatchJob::split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary) {
-  guard("edges-not-split", [&] {
+  record_.guard("edges-not-split", [&] {
     for (const HalfedgeH h : edges) split_inside(mesh_, surface_, h);
     if (faces_.size() > 1) find_faces(boundary);
   });
 }
 
 void PatchJob::measure(const RunContext& context) {
-  if (!meshed_) return;
-  guard("not-measured", [&] {
-    count_elements(context);
-    judge_inverted();
-    wall_reports_ = measure_walls(mesh_, surface_, walls_, stops_, report_.layers);
-    for (WallReport& wall : wall_reports_) {
-      wall.face = face_beside(evaluator_.model(), faces_, wall.edge);
-    }
-    judge_walls();
+  if (!meshed()) return;
+  record_.guard("not-measured", [&] {
+    std::vector<WallReport> walls =
+        measure_walls(mesh_, surface_, walls_, stops_, record_.layers());
+    for (WallReport& wall : walls) wall.face = face_beside(evaluator_.model(), faces_, wall.edge);
+    const auto face_of_element = [this](FaceH f) { return face_of(f); };
+    record_.measure(context, {mesh_, surface_, face_of_element}, std::move(walls));
   });
-}
-
-void PatchJob::count_elements(const RunContext& context) {
-  counts_ = FigureCounts();
-  inverted_.clear();
-  report_.quads = report_.triangles = 0;
-  report_.triangles_by_cause = triangle_causes(mesh_);
-  for (std::size_t i = 0; i < mesh_.face_capacity(); ++i) {
-    context.check();
-    const FaceH f(i);
-    if (!mesh_.alive(f)) continue;
-    const ElementCorners element = corners_of(mesh_, f);
-    counts_.add(element, mesh_.data(f).layer);
-    if (is_inverted(mesh_, f, surface_)) {
-      counts_.add_inverted();
-      inverted_.push_back(f);
-    }
-    ++(element.count == 4 ? report_.quads : report_.triangles);
-  }
-}
-
-// A wall that got fewer layers than its number, none that could be measured, or layers of another
-// height, says so.
-void PatchJob::judge_walls() {
-  std::vector<const WallReport*> missed;
-  for (const WallReport& wall : wall_reports_) {
-    for (Shortfall& shortfall : shortfalls_of(wall)) {
-      if (shortfall.code == kHeightMissed) {
-        missed.push_back(&wall);
-      } else {
-        complain(Severity::kWarning, shortfall.code, std::move(shortfall.sentence));
-      }
-    }
-  }
-  if (!missed.empty()) {
-    complain(Severity::kWarning, kHeightMissed, missed_heights(std::move(missed)));
-  }
-}
-
-// What was turned over in the triangulation may be mended by now: the finished mesh decides.
-void PatchJob::judge_inverted() {
-  for (Diagnostic& diagnostic : diagnostics_) {
-    if (diagnostic.code == "triangulation-inverted") diagnostic.severity = Severity::kInfo;
-  }
-  std::map<FaceId, std::vector<FaceH>> by_face;
-  for (const FaceH f : inverted_) by_face[face_of(f)].push_back(f);
-  for (const auto& [face, elements] : by_face) {
-    complain(Severity::kError, "inverted-elements",
-             Sentence("{}: {} elements are turned over against the surface", face_name(face),
-                      elements.size()));
-    diagnostics_.back().point = centroid(corners_of(mesh_, elements.front()));
-  }
 }
 
 // An element that lies on no face as a whole belongs to the one that most of its corners lie on.
@@ -356,7 +205,7 @@ FaceId PatchJob::face_of(FaceH f) const {
 }
 
 std::vector<Diagnostic> PatchJob::diagnostics() const {
-  std::vector<Diagnostic> all = diagnostics_;
+  std::vector<Diagnostic> all = record_.diagnostics();
   if (layers_) all.insert(all.end(), layers_->diagnostics().begin(), layers_->diagnostics().end());
   return all;
 }

@@ -15,6 +15,7 @@
 #include "mesh/surface_mesh.h"
 #include "mesher/match_plan.h"
 #include "mesher/patch_plan.h"
+#include "mesher/patch_record.h"
 #include "mesher/result.h"
 #include "sizing/settings.h"
 
@@ -26,8 +27,7 @@ class PatchJob {
   PatchJob(const PatchJob&) = delete;
 
   // The stages, in this order; each throws Cancelled and nothing else.
-  void plan(
-      const RunContext& context);  // what grows from each edge, and where layers run along one
+  void plan(const RunContext& context);  // what grows from each edge, where layers run along one
   // The CAD edges that are cut too coarsely for this patch: once these are cut finer, it may be
   // triangulated again. A patch that is meshed may ask for better, too.
   std::vector<EdgeId> triangulate(const RunContext& context, const Discretization& boundary);
@@ -37,13 +37,13 @@ class PatchJob {
   void split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary);
   void measure(const RunContext& context);
 
-  bool meshed() const { return meshed_; }
+  bool meshed() const { return stage_ > Stage::kUnmeshed; }
   // Meshed to the end: the stages above pass it over from then on.
-  bool finished() const { return finished_; }
+  bool finished() const { return stage_ == Stage::kFinished; }
   // Patches of a run are numbered in order; the others may have changed.
-  void renumber(PatchId id);
+  void renumber(PatchId id) { record_.renumber(id); }
   bool borders_on(EdgeId edge) const { return walls_.edges.count(edge) > 0; }
-  PatchId id() const { return id_; }
+  PatchId id() const { return record_.id(); }
   const std::vector<FaceId>& faces() const { return faces_; }
   // Of triangulate(): vertices that the nodes of an initial mesh became.
   int initial_nodes() const { return initial_nodes_; }
@@ -55,30 +55,33 @@ class PatchJob {
   const SurfaceMesh& mesh() const { return mesh_; }
 
   // Of measure(), but for the diagnostics:
-  const PatchReport& report() const { return report_; }
-  const std::vector<WallReport>& wall_reports() const { return wall_reports_; }
-  const FigureCounts& counts() const { return counts_; }
+  const PatchReport& report() const { return record_.report(); }
+  const std::vector<WallReport>& wall_reports() const { return record_.wall_reports(); }
+  const FigureCounts& counts() const { return record_.counts(); }
   std::vector<Diagnostic> diagnostics() const;
 
   // The CAD face that an element lies on.
   FaceId face_of(FaceH f) const;
 
  private:
-  template <class Stage>
-  bool guard(const char* code, const Stage& stage);
-  void complain(Severity severity, const char* code, Sentence sentence);
+  // One follows the other; halving and parting may lead back to kUnmeshed.
+  enum class Stage {
+    kDefective,  // cannot be meshed
+    kUnmeshed,   // planned, or not even that
+    kInRows,     // meshed by rows across a strip, without layers
+    kGrowing,    // triangulated, with fronts
+    kGrown,      // no front is left
+    kFinished    // the core, too
+  };
+
   bool fill_in_rows(const Discretization& boundary);
   void end_layers();
-  void complete(const RunContext& context);
-  int count_inverted(const RunContext& context);
-  void complete_along_edges(const RunContext& context, const Discretization& boundary);
+  void tell_of_crossings(int crossing);
   void find_faces(const Discretization& boundary);
-  void count_elements(const RunContext& context);
-  void judge_inverted();
-  void judge_walls();
 
-  PatchId id_;
   std::vector<FaceId> faces_;
+  PatchRecord record_;
+  Stage stage_ = Stage::kUnmeshed;
   const Settings* settings_;
   double area_ = 0.0;
   Evaluator evaluator_;
@@ -88,20 +91,10 @@ class PatchJob {
   SurfaceMesh mesh_;
   int initial_nodes_ = 0;
   std::unique_ptr<PatchLayers> layers_;
-  bool meshed_ = false;
-  bool finished_ = false;
   std::optional<FourSides> strip_;  // of plan(): too narrow for layers
-  bool in_rows_ = false;            // meshed by rows across a strip, without layers
-  bool growing_ = false;
-  bool defective_ = false;
-  PatchReport report_;
-  std::vector<WallReport> wall_reports_;
-  FigureCounts counts_;
-  std::vector<FaceH> inverted_;
-  std::vector<FaceId> face_of_;  // by FaceH, of a finished patch of several faces
+  std::vector<FaceId> face_of_;     // by FaceH, of a finished patch of several faces
   std::vector<FaceId> strained_;
   std::vector<StopRecord> stops_;
-  std::vector<Diagnostic> diagnostics_;
 };
 
 }  // namespace advlayers
