@@ -67,6 +67,11 @@ def page():
         "With a list of walls, other boundary edges that touch a wall are match edges, the "
         "rest are off; `match` and `off` override that. `end_height` is for edges with two "
         "ends.", "",
+        "In any list of edges, also in `match`, `off`, `boundary`, `smooth` and in sizes, some "
+        "words stand for edges of the shape: `\"holes\"` for the inner outlines of plane faces, "
+        "`\"holes 4 10\"` for those whose diameter [mm] lies between the two (an outline that is "
+        "no circle counts as one as long), `\"sharp\"` for edges whose faces meet at more than 30 "
+        "degrees, `\"sharp 45\"` at more than 45. In a document they become names.", "",
         "## One size of a list of sizes", "", _table(table.SIZE_SETTINGS, properties=False), "",
         "An edge takes its own size, or else the least of the faces beside it. Curved places stay "
         "as fine as curvature_angle asks. A fixed number of segments and clustering hold whatever "

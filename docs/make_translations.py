@@ -117,10 +117,11 @@ def _of_tables():
         yield from ((WINDOW, choice) for choice in entry.choices)
     radius = table.setting("radius", table.REFINEMENT_SETTINGS)
     for entry in (*table.WALL_SETTINGS, *table.SIZE_SETTINGS, radius):
+        yield from ((WINDOW, choice) for choice in entry.choices)
         if entry.key not in ("edges", "faces"):
             yield from ((PROPERTY, text) for text in (
                 entry.doc, table.optional_doc(entry), _apart(table.property_name(entry))))
-    for entry in table.Y_PLUS_SETTINGS:
+    for entry in (*table.Y_PLUS_SETTINGS, table.setting("preset")):
         yield PROPERTY, entry.doc
         yield from ((WINDOW, choice) for choice in entry.choices)
     for key in table.keys():

@@ -88,6 +88,15 @@ def make_group(mesh_object, name: str, references):
 
 
 @_action
+def apply_preset(mesh_object, preset: str) -> None:
+    """Gives a layer mesh the settings and walls of a preset: "cfd", "fem" or "washers", in place of
+    the walls that it has. Raises InputError."""
+    from advlayers import layer_mesh
+
+    layer_mesh.apply_preset(mesh_object, preset)
+
+
+@_action
 def remove(control) -> None:
     """Takes a wall, a size or a group off its layer mesh, and out of the document."""
     control.Document.removeObject(control.Name)

@@ -7,7 +7,7 @@ import sys
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
 
-from advlayers import cad_input, export, faceted, flow_height, initial_mesh
+from advlayers import cad_input, export, faceted, flow_height, initial_mesh, presets
 from advlayers.errors import InputError
 from advlayers.extrusion import Extrusion, of_settings
 from advlayers.formats import polymesh
@@ -44,7 +44,7 @@ def read_job(path: str) -> Job:
     given = _read_json(path)
     if str(given.get("input", "")).lower().endswith(".stl"):
         given.setdefault("feature_angle", faceted.FEATURE_ANGLE)
-    values = check_all(given, JOB_SETTINGS + EXPORT_SETTINGS + MESH_SETTINGS)
+    values = check_all(presets.applied(given), JOB_SETTINGS + EXPORT_SETTINGS + MESH_SETTINGS)
     folder = os.path.dirname(os.path.abspath(path))
     if values[initial_mesh.KEY] is not None:
         values[initial_mesh.KEY] = os.path.normpath(os.path.join(folder, values[initial_mesh.KEY]))

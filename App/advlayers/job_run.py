@@ -4,11 +4,12 @@ from __future__ import annotations
 import json
 import os
 import time
+from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional
 
 import numpy as np
 
-from advlayers import cad_input, export, flow_height, initial_mesh, limits
+from advlayers import cad_input, export, features, flow_height, initial_mesh, limits
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.formats import mesh_parts
@@ -33,18 +34,22 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     begin = time.perf_counter()
     watch("read", [])
     cad = cad_input.read(core, job.input, job.object, job.settings["sew_tolerance"], context)
-    check_names(job.settings, cad.model.face_count, cad.model.edge_count, job.input_name)
+    found = features.expanded(job.settings, cad.model)
+    job = replace(job, settings=found)
+    check_names(found, cad.model.face_count, cad.model.edge_count, job.input_name)
     _check_shape(job, cad.model)
-    settings = {**job.settings, initial_mesh.KEY: _initial_mesh(job)}
+    settings = {**found, initial_mesh.KEY: _initial_mesh(job)}
     seconds = {"read": time.perf_counter() - begin}
 
     try:
         for_core = core_settings(core, settings, cad.model.diagonal)
-        limits.check(core, cad.model, for_core, settings, context)
+        many = limits.check(core, cad.model, for_core, settings, context)
         mesher = core.Mesher(cad.model, for_core, context)
     except core.InvalidInput as error:
         raise InputError("", "{}", error) from error
-    mesh = Run(context, lambda: mesher).finish(lambda reports: watch(_stage(context), reports))
+    words = f" ({many.english})" if many else ""
+    mesh = Run(context, lambda: mesher).finish(
+        lambda reports: watch(_stage(context) + words, reports))
     seconds.update(mesh.seconds)
 
     watch("write", [])

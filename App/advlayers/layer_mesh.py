@@ -14,8 +14,8 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 import FreeCAD
 
 from advlayers import (
-    analysis, cad_input, controls, faceted, fem_mesh, freshness, initial_mesh, limits, mesh_data,
-    mesh_history, migrations, stored_mesh)
+    analysis, cad_input, controls, faceted, features, fem_mesh, freshness, initial_mesh, limits,
+    mesh_data, mesh_history, migrations, presets, stored_mesh)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.formats import mesh_parts
@@ -97,7 +97,7 @@ def create(source, **settings):
     shape = cad_input.global_shape(source)
     if shape.isNull() or not shape.Faces:
         raise InputError("", "{} has no face to mesh", source.Label)
-    checked = check_all(plain_values(settings, MESH_SETTINGS), MESH_SETTINGS)
+    checked = _checked(presets.applied(settings), shape)
     check_names(checked, len(shape.Faces), len(shape.Edges), source.Label)
     checked.update(default_lengths(checked, shape.BoundBox.DiagonalLength))
     checked[initial_mesh.KEY] = initial_mesh.in_document(source.Document, checked[initial_mesh.KEY])
@@ -112,6 +112,30 @@ def create(source, **settings):
     refresh_state(created)
     attach_view(created)
     return created
+
+
+def apply_preset(document_object, word: str) -> None:
+    """What the preset asks for, and its walls in place of those that are there. Raises InputError,
+    and changes nothing then."""
+    asked = presets.applied({"preset": word})
+    checked = _checked(asked, _shape_of(document_object))
+    for entry in property_settings():
+        if entry.key in asked:
+            setattr(document_object, property_name(entry), to_property(entry, checked[entry.key]))
+    for wall in document_object.WallList:
+        document_object.Document.removeObject(wall.Name)
+    document_object.GrowFromAll = True
+    controls.from_settings(document_object, checked)
+    refresh_state(document_object)
+
+
+def _checked(settings: Dict[str, Any], shape) -> Dict[str, Any]:
+    """With names for the features among them. Raises InputError."""
+    checked = check_all(plain_values(settings, MESH_SETTINGS), MESH_SETTINGS)
+    if not features.are_asked(checked):
+        return checked
+    model = load_core().read_brep(shape.exportBrepToString(), checked["sew_tolerance"])
+    return features.expanded(checked, model)
 
 
 @dataclass(frozen=True)
@@ -141,7 +165,9 @@ class Task:
         model = core.read_brep(self.brep, self.made_from.settings["sew_tolerance"], context)
         settings = {**self.made_from.settings, initial_mesh.KEY: self.initial}
         for_core = core_settings(core, settings, model.diagonal)
-        limits.check(core, model, for_core, settings, context)
+        many = limits.check(core, model, for_core, settings, context)
+        if many is not None:
+            FreeCAD.Console.PrintWarning(f"{self.label}: {many.translated}\n")
         return core.Mesher(model, for_core, context)
 
     def make_fem_mesh(self, mesh, check: Optional[Callable[[], None]] = None):

@@ -2,14 +2,16 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Mapping
+from typing import Any, Dict, Mapping, Optional
 
 from advlayers.errors import InputError
+from advlayers.sentence import Sentence
 
 KEYS = ("max_elements", "max_memory", "max_seconds")
 # Where nothing is said: what people wait for, on the machine that it is.
 _ELEMENTS, _SECONDS = 2_000_000, 600.0
 _PART_OF_MEMORY = 0.8
+_MANY = 200_000  # elements that are told before they are made
 
 
 def machine_limits() -> Dict[str, float]:
@@ -18,9 +20,10 @@ def machine_limits() -> Dict[str, float]:
             "max_seconds": _SECONDS}
 
 
-def check(core, model, core_settings, settings: Mapping[str, Any], context: Any = None) -> None:
-    """Raises InputError where the estimate passes a limit of the settings, or of the machine where
-    they say 0."""
+def check(core, model, core_settings, settings: Mapping[str, Any],
+          context: Any = None) -> Optional[Sentence]:
+    """What is to be said of a mesh of many elements before it is made. Raises InputError where the
+    estimate passes a limit of the settings, or of the machine where they say 0."""
     found = core.estimate(model, core_settings, context)
     machine = machine_limits()
     for key, value in zip(KEYS, (found["elements"], found["megabytes"], found["seconds"])):
@@ -30,3 +33,6 @@ def check(core, model, core_settings, settings: Mapping[str, Any], context: Any 
                 found["driver"], "asks for some {} elements, {} MB and {} s; {} allows {}",
                 f"{found['elements']:.2g}", f"{found['megabytes']:.2g}",
                 f"{found['seconds']:.2g}", key, f"{most:.7g}")
+    if found["elements"] <= _MANY:
+        return None
+    return Sentence("the mesh will have some {} elements", (f"{found['elements']:.2g}",))

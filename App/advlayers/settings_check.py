@@ -7,6 +7,7 @@ import re
 from typing import Any, Callable, Dict, Iterable, Mapping, Tuple
 
 from advlayers.errors import InputError
+from advlayers.features import is_feature
 from advlayers.settings_table import (
     EXTRUDE_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, VOLUME_SETTINGS, WALL_SETTINGS,
     Y_PLUS_SETTINGS, Setting, range_said)
@@ -181,7 +182,12 @@ def _faces_only(key: str, value: Any, _entry: Setting) -> Tuple[str, ...]:
 
 
 def _edges(key: str, value: Any, entry: Setting) -> Tuple[str, ...]:
-    return _names(key, value, ("Edge",), empty=not entry.required)
+    """Names, and features that stand for edges."""
+    if not isinstance(value, (list, tuple)):
+        return _names(key, value, ("Edge",), empty=True)  # says what is wrong
+    named = [name for name in value if not is_feature(name)]
+    _names(key, named, ("Edge",), empty=not entry.required or bool(value))
+    return tuple(dict.fromkeys(value))
 
 
 def _walls(key: str, value: Any, _entry: Setting):

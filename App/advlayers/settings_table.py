@@ -80,6 +80,13 @@ OWN_SETTINGS = (
         unit="mm", low=0.0, group="Geometry",
     ),
     Setting(
+        "preset", "choice", None,
+        "What is asked for where nothing else is said: cfd grows layers from every sharp edge "
+        "until they are as high as wide, fem has none, washers puts two rings of quads about every "
+        "hole.",
+        choices=("cfd", "fem", "washers"), becomes="layers",
+    ),
+    Setting(
         "y_plus", "y_plus", None,
         "Instead of first_height: the dimensionless wall distance y+ of the first layer and the "
         "flow that it is for.",

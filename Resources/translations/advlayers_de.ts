@@ -752,6 +752,10 @@
         <translation>Punkt</translation>
     </message>
     <message>
+        <source>Preset</source>
+        <translation>Vorwahl</translation>
+    </message>
+    <message>
         <source>Preview: {}</source>
         <translation>Vorschau: {}</translation>
     </message>
@@ -1132,6 +1136,10 @@
         <translation>die Auftragsdatei lässt sich nicht lesen: {}</translation>
     </message>
     <message>
+        <source>cfd</source>
+        <translation>CFD</translation>
+    </message>
+    <message>
         <source>cuts the mesh: it lies on both sides</source>
         <translation>schneidet das Netz: es liegt auf beiden Seiten</translation>
     </message>
@@ -1162,6 +1170,14 @@
     <message>
         <source>expands to {} MB: {}</source>
         <translation>entpackt sich zu {} MB: {}</translation>
+    </message>
+    <message>
+        <source>fem</source>
+        <translation>FEM</translation>
+    </message>
+    <message>
+        <source>finds no edge for {}</source>
+        <translation>findet keine Kante für {}</translation>
     </message>
     <message>
         <source>first height {} (blue)</source>
@@ -1796,6 +1812,10 @@
         <translation>die Schichten daneben haben geendet</translation>
     </message>
     <message>
+        <source>the mesh will have some {} elements</source>
+        <translation>das Netz wird etwa {} Elemente haben</translation>
+    </message>
+    <message>
         <source>the meshing core is not built for this FreeCAD (Python {}): run "./dev build" in {} and start FreeCAD again ({})</source>
         <translation>Der Netzkern ist für dieses FreeCAD (Python {}) nicht gebaut: Rufen Sie "./dev build" in {} auf und starten Sie FreeCAD neu ({})</translation>
     </message>
@@ -1858,6 +1878,10 @@
     <message>
         <source>warning</source>
         <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>washers</source>
+        <translation>Scheiben</translation>
     </message>
     <message>
         <source>water</source>
@@ -2861,6 +2885,10 @@
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>
         <translation>Was den Teil füllt, den keine Schicht erreicht: Vierecke, wo sie gut werden, oder Dreiecke.</translation>
+    </message>
+    <message>
+        <source>What is asked for where nothing else is said: cfd grows layers from every sharp edge until they are as high as wide, fem has none, washers puts two rings of quads about every hole.</source>
+        <translation>Was gilt, wo nichts anderes gesagt ist: CFD lässt Schichten von jeder scharfen Kante wachsen, bis sie so hoch wie breit sind, FEM hat keine, Scheiben legt zwei Ringe aus Vierecken um jedes Loch.</translation>
     </message>
     <message>
         <source>What the faces looked like when they were picked.</source>

@@ -752,6 +752,10 @@
         <translation>Point</translation>
     </message>
     <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
         <source>Preview: {}</source>
         <translation>Aperçu : {}</translation>
     </message>
@@ -1132,6 +1136,10 @@
         <translation>le fichier de tâche ne peut pas être lu : {}</translation>
     </message>
     <message>
+        <source>cfd</source>
+        <translation>CFD</translation>
+    </message>
+    <message>
         <source>cuts the mesh: it lies on both sides</source>
         <translation>coupe le maillage : il se trouve des deux côtés</translation>
     </message>
@@ -1162,6 +1170,14 @@
     <message>
         <source>expands to {} MB: {}</source>
         <translation>se décompresse en {} Mo : {}</translation>
+    </message>
+    <message>
+        <source>fem</source>
+        <translation>EF</translation>
+    </message>
+    <message>
+        <source>finds no edge for {}</source>
+        <translation>ne trouve aucune arête pour {}</translation>
     </message>
     <message>
         <source>first height {} (blue)</source>
@@ -1796,6 +1812,10 @@
         <translation>les couches voisines se sont arrêtées</translation>
     </message>
     <message>
+        <source>the mesh will have some {} elements</source>
+        <translation>le maillage aura environ {} éléments</translation>
+    </message>
+    <message>
         <source>the meshing core is not built for this FreeCAD (Python {}): run "./dev build" in {} and start FreeCAD again ({})</source>
         <translation>Le noyau de maillage n'est pas construit pour ce FreeCAD (Python {}) : lancez "./dev build" dans {} et redémarrez FreeCAD ({})</translation>
     </message>
@@ -1858,6 +1878,10 @@
     <message>
         <source>warning</source>
         <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>washers</source>
+        <translation>rondelles</translation>
     </message>
     <message>
         <source>water</source>
@@ -2861,6 +2885,10 @@
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>
         <translation>Ce qui remplit la partie qu'aucune couche n'atteint : des quadrangles où ils sont bons, ou des triangles.</translation>
+    </message>
+    <message>
+        <source>What is asked for where nothing else is said: cfd grows layers from every sharp edge until they are as high as wide, fem has none, washers puts two rings of quads about every hole.</source>
+        <translation>Ce qui vaut là où rien d'autre n'est dit : CFD fait croître des couches depuis chaque arête vive jusqu'à ce qu'elles soient aussi hautes que larges, EF n'en a pas, rondelles met deux anneaux de quadrilatères autour de chaque trou.</translation>
     </message>
     <message>
         <source>What the faces looked like when they were picked.</source>

@@ -1,6 +1,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -77,6 +78,36 @@ py::list boxes(const Model& model) {
   return corners;
 }
 
+// The inner loops of plane faces: face, edges, and the diameter of a circle as long.
+py::list holes(const Model& model) {
+  py::list all;
+  for (std::size_t f = 0; f < model.faces().size(); ++f) {
+    const Face& face = model.faces()[f];
+    if (face.kind != SurfaceKind::kPlane) continue;
+    for (std::size_t i = 1; i < face.loops.size(); ++i) {
+      py::list edges;
+      double length = 0.0;
+      for (const CoEdge& coedge : face.loops[i]) {
+        edges.append(edge_name(coedge.edge));
+        length += model.edge(coedge.edge).length;
+      }
+      all.append(py::make_tuple(face_name(FaceId(f)), edges, length / M_PI));
+    }
+  }
+  return all;
+}
+
+// [deg] by edge; none where there are not two sides.
+py::list dihedral_angles(const Model& model) {
+  py::list all;
+  for (std::size_t e = 0; e < model.given_edges(); ++e) {
+    const double angle = model.dihedral_angle(EdgeId(e));
+    const bool known = angle < M_PI && !model.edge(EdgeId(e)).degenerate;
+    all.append(known ? py::object(py::float_(angle * 180.0 / M_PI)) : py::object(py::none()));
+  }
+  return all;
+}
+
 using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 Points project(const Model& model, int number, const Points& points) {
@@ -124,6 +155,13 @@ void bind_model(py::module_& module) {
       .def_property_readonly("face_boxes", &boxes,
                              "By face the least and the greatest corner of a box that holds it "
                              "[mm]; None for a face without a surface.")
+      .def_property_readonly(
+          "holes", &holes,
+          "The inner loops of plane faces: (\"Face1\", [\"Edge3\"], the diameter "
+          "[mm] of a circle as long).")
+      .def_property_readonly("dihedral_angles", &dihedral_angles,
+                             "The angle [deg] between the two face sides at each edge; None where "
+                             "there are not two.")
       .def("project", &project, py::arg("face"), py::arg("points"),
            "The point of a face, by number from 1, that is nearest to each of the points (n, 3)\n"
            "[mm]. Raises InvalidInput for a face that is not there.")

@@ -69,6 +69,12 @@ class Model:
     def face_boxes(self) -> List[Optional[Tuple[Tuple[float, ...], Tuple[float, ...]]]]:
         """By face the least and the greatest corner of a box that holds it [mm]; None for a face
         without a surface."""
+    @property
+    def holes(self) -> List[Tuple[str, List[str], float]]:
+        """The inner loops of plane faces: face, edges, and the diameter [mm] of a circle as long."""
+    @property
+    def dihedral_angles(self) -> List[Optional[float]]:
+        """The angle [deg] between the two face sides at each edge; None where there are not two."""
     def project(self, face: int, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """The point of a face, by number from 1, that is nearest to each of the points (n, 3) [mm].
 

@@ -17,10 +17,6 @@ namespace advlayers {
 
 namespace {
 
-// Neighbouring segments across a joint of stretches may differ by kMaxJump; where they do, the
-// longer is to begin with kJump times the shorter, which its own growth then brings to kMaxJump.
-constexpr double kMaxJump = 1.5;
-constexpr double kJump = 1.25;
 // An even edge takes the fewest segments that are no longer than this many times the size.
 constexpr double kSizeTolerance = 1.1;
 constexpr double kSharpFold = 0.01;  // of the size: a fold narrower than this is not followed
@@ -42,6 +38,7 @@ class Discretizer {
         model_(evaluator.model()),
         sizes_(settings),
         limits_{0.0, &sizes_, settings.curvature_angle * M_PI / 180.0, 0.0, true},
+        most_jump_(settings.size_growth),
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
     choose_faces(settings);
@@ -209,8 +206,9 @@ class Discretizer {
         if (facing_ && facing_->is_grouped(i) && round >= kGroupRounds) continue;
         for (int end = 0; end < 2; ++end) {
           const double least = shortest[static_cast<std::size_t>(stretches_[i].joints[end])];
-          if (spacing.end_segment(end) <= kMaxJump * (1.0 + 1e-9) * least) continue;
-          spacing.limit_end(end, kJump * least);
+          if (spacing.end_segment(end) <= most_jump_ * (1.0 + 1e-9) * least) continue;
+          // It is to begin with half of the growth, which its own growth then brings to all of it.
+          spacing.limit_end(end, 0.5 * (1.0 + most_jump_) * least);
           lowered[i] = 1;
         }
       }
@@ -365,6 +363,7 @@ class Discretizer {
   const Model& model_;
   SizeField sizes_;
   SpacingLimits limits_;  // with the size of the edge at hand
+  double most_jump_;      // of neighbouring segments, across a joint of stretches too
   int joint_count_;       // joints below the number of CAD vertices are those
   std::vector<bool> meshed_;
   std::vector<std::vector<EdgeSpacing::Side>> sides_;  // by EdgeId

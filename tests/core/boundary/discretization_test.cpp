@@ -221,7 +221,7 @@ TEST(Discretization, SegmentsGrowGentlyFromShortEdges) {
   double shortest = 1.0, longest = 0.0;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const double ratio = lengths[(i + 1) % lengths.size()] / lengths[i];
-    EXPECT_LT(std::max(ratio, 1.0 / ratio), 1.5 + 1e-6);
+    EXPECT_LT(std::max(ratio, 1.0 / ratio), settings_of(1.0).size_growth + 1e-6);
     shortest = std::min(shortest, lengths[i]);
     longest = std::max(longest, lengths[i]);
   }

@@ -1,11 +1,12 @@
 """Walls, sizes and groups as objects of a document, and what they add up to."""
 import advlayers
 import FreeCAD
+import Part
 import pytest
 from advlayers import controls, layer_mesh
 from advlayers.errors import InputError
 from advlayers.settings_table import (
-    SIZE_SETTINGS, WALL_SETTINGS, optional_doc, property_name, unset_value)
+    REFINEMENT_SETTINGS, SIZE_SETTINGS, WALL_SETTINGS, optional_doc, property_name, unset_value)
 
 
 @pytest.fixture
@@ -131,20 +132,25 @@ def test_every_value_can_be_left_out(box, mesh, table):
         assert shown == optional_doc(entry) and entry.doc in shown
 
 
+def _given(entry, table):
+    """What it says beyond the defaults."""
+    defaults = {row.key: row.default for row in table}
+    return {key: value for key, value in entry.items() if value != defaults[key]}
+
+
 def test_sizes_of_faces_edges_and_vertices(box, mesh):
     advlayers.make_size(mesh, ["Face1", "Edge5"], size="2 mm")
     advlayers.make_size(mesh, ["Edge1"], segments=7, cluster=3, both_ends=True)
     corner = advlayers.make_size(mesh, ["Vertex1"], size=0.5, radius=1)
     mesh.Refinements = ["1 2 3 0.7 0"]
     settings = layer_mesh.settings_of(mesh)
-    given = [{key: value for key, value in size.items() if value not in (None, ())}
-             for size in settings["sizes"]]
+    given = [_given(size, SIZE_SETTINGS) for size in settings["sizes"]]
     assert given == [
         {"edges": ("Edge5",), "faces": ("Face1",), "size": 2.0},
         {"edges": ("Edge1",), "segments": 7, "cluster": 3.0, "both_ends": True}]
-    assert settings["refinements"] == (
-        {"point": (1.0, 2.0, 3.0), "size": 0.7, "radius": 0.0},
-        {"point": tuple(box.Shape.Vertexes[0].Point), "size": 0.5, "radius": 1.0})
+    assert [_given(region, REFINEMENT_SETTINGS) for region in settings["refinements"]] == [
+        {"point": (1.0, 2.0, 3.0), "size": 0.7},
+        {"point": tuple(box.Shape.Vertexes[0].Point), "size": 0.5, "radius": 1.0}]
     advlayers.update(mesh)
     nodes = {mesh.FemMesh.getGroupName(i): len(mesh.FemMesh.getGroupElements(i))
              for i in mesh.FemMesh.Groups if mesh.FemMesh.getGroupElementType(i) == "Node"}
@@ -227,3 +233,25 @@ def test_children_of_a_copy_in_another_document(mesh):
         assert all(child.Document is other for child in controls.children(copy))
     finally:
         FreeCAD.closeDocument(other.Name)
+
+
+def test_features_become_names_and_presets_settings(box):
+    plate = box.Document.addObject("Part::Feature", "Plate")
+    plate.Shape = Part.makeBox(40, 30, 2).cut(
+        Part.makeCylinder(4, 2, FreeCAD.Vector(12, 15, 0))).cut(
+            Part.makeCylinder(2, 2, FreeCAD.Vector(30, 15, 0)))
+    small = advlayers.make_layer_mesh(plate, mesh_now=False, walls=[
+        {"edges": ["holes 3 5"], "layers": 2}])
+    (wall,) = small.WallList
+    edges = [plate.Shape.getElement(name) for _object, names in wall.References for name in names]
+    assert len(edges) == 2 and all(edge.Curve.Radius == 2.0 for edge in edges)
+    washers = advlayers.make_layer_mesh(plate, mesh_now=False, preset="washers", size=2)
+    assert washers.FeatureAngle.Value == 15.0
+    names = [name for _object, names in washers.WallList[0].References for name in names]
+    assert len(names) == 4
+    advlayers.apply_preset(washers, "fem")
+    assert not washers.WallList and not washers.GrowFromAll
+    advlayers.apply_preset(washers, "cfd")
+    assert washers.GrowFromAll and washers.Layers == "isotropic"
+    with pytest.raises(InputError, match="preset must be"):
+        advlayers.apply_preset(washers, "thin")
