@@ -110,12 +110,7 @@ std::string edge_name(EdgeId e);  // "Edge7"
 // Throws InvalidInput if the text is no BREP, GeometryError if it holds no face, and Cancelled.
 Model read_brep(const RunContext& context, const std::string& text, double sew_tolerance = 0.0);
 
-// Throws InvalidInput where OpenCASCADE's reader crashes on an IGES file, as it does on some
-// damaged ones; files of other formats pass. Costs the time to read the file: read_file() asks by
-// itself, who leaves the reading to FreeCAD must ask first.
-void check_file(const std::string& path);
-
-// Reads .step .stp .iges .igs .brep .brp by the ending, in any case; lengths come out in mm. Sews
+// Reads .step .stp .iges .igs .brep .brp .stl by the ending, in any case; lengths come out in mm. Sews
 // as read_brep() does.
 // Throws InvalidInput for a missing or unreadable file, GeometryError if it holds no face, and
 // Cancelled.

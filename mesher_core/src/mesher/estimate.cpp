@@ -210,7 +210,7 @@ class Estimator {
 }  // namespace
 
 Estimate estimate(const RunContext& context, const Model& model, const Settings& settings) {
-  check(settings, model);
+  check(in_edges_of(model, settings), model);
   return Estimator(context, model, settings).run();
 }
 

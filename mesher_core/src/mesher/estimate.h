@@ -18,7 +18,8 @@ struct Estimate {
 
 // Within a factor of some three: faces by area, curvature and size; rows of layers until they meet,
 // end or are as long as wide; the transition from short segments and from points of refinement,
-// which takes the logarithm of how fine they are. Throws Cancelled, and InvalidInput as Mesher does.
+// which takes the logarithm of how fine they are. Throws Cancelled, and InvalidInput as Mesher
+// does.
 Estimate estimate(const RunContext& context, const Model& model, const Settings& settings);
 
 }  // namespace advlayers
