@@ -75,7 +75,7 @@ TEST(Matching, PairsAsManyAsPossible) {
   for (const int nodes : {4, 7, 10, 13}) {
     for (int round = 0; round < 60; ++round) {
       const auto edges = random_graph(nodes, random);
-      const Score found = score_of(match_pairs(nodes, edges, {}), edges);
+      const Score found = score_of(match_pairs(RunContext(), nodes, edges), edges);
       EXPECT_EQ(found.pairs, best_by_enumeration(nodes, edges).pairs);
     }
   }
@@ -86,7 +86,7 @@ TEST(Matching, ComesNearTheGreatestWeight) {
   double found = 0.0, best = 0.0;
   for (int round = 0; round < 200; ++round) {
     const auto edges = random_graph(14, random);
-    found += score_of(match_pairs(14, edges, {}), edges).weight;
+    found += score_of(match_pairs(RunContext(), 14, edges), edges).weight;
     best += best_by_enumeration(14, edges).weight;
   }
   EXPECT_GT(found, 0.99 * best);
@@ -95,18 +95,18 @@ TEST(Matching, ComesNearTheGreatestWeight) {
 // A chain of four: the middle pair is the heaviest, but two outer pairs leave nobody alone.
 TEST(Matching, PrefersMorePairsToHeavierOnes) {
   const std::vector<PairEdge> edges{{0, 1, 0.2}, {1, 2, 1.0}, {2, 3, 0.2}};
-  EXPECT_EQ(match_pairs(4, edges, {}), (std::vector<int>{0, 0, 2, 2}));
+  EXPECT_EQ(match_pairs(RunContext(), 4, edges), (std::vector<int>{0, 0, 2, 2}));
 }
 
 TEST(Matching, IsTheSameEveryTime) {
   std::mt19937 random(3);
   const auto edges = random_graph(200, random);
-  EXPECT_EQ(match_pairs(200, edges, {}), match_pairs(200, edges, {}));
+  EXPECT_EQ(match_pairs(RunContext(), 200, edges), match_pairs(RunContext(), 200, edges));
 }
 
 TEST(Matching, RefusesMoreThanThreeNeighbours) {
   const std::vector<PairEdge> star{{0, 1, 1.0}, {0, 2, 1.0}, {0, 3, 1.0}, {0, 4, 1.0}};
-  EXPECT_THROW(match_pairs(5, star, {}), InternalError);
+  EXPECT_THROW(match_pairs(RunContext(), 5, star), InternalError);
 }
 
 }  // namespace
