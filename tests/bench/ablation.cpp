@@ -72,7 +72,7 @@ void mesh_patch(const RunContext& context, const Model& model, const Settings& s
   thaw_core_edges(mesh);
   return_to_core(mesh);
   improve_core(context, mesh, surface);
-  recombine(context, mesh, surface, core_steps);
+  recombine(context, mesh, surface, LayerCells::kTraded, core_steps);
   mend_inverted(context, mesh, surface);
   return_to_core(mesh);
   result.seconds += processor_seconds() - start;

@@ -2,6 +2,7 @@
 
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@ constexpr double kParallel = 1e-6;
 constexpr double kRegular = 1e-3;
 // Part of a period by which round-off may lead beyond it.
 constexpr double kRoundOff = 1e-12;
+constexpr std::size_t kMostSpans = 1024;  // with an adaptor of their own
 
 // x by whole periods into the range. A hair beyond an end stays at that end: where the surface is
 // creased along its seam, the other end has another normal.
@@ -56,6 +58,7 @@ FaceSurface::FaceSurface(const TopoDS_Face& shape, const Face& face)
   v_lo_ = v_closed ? surface_.FirstVParameter() : std::min(surface_.FirstVParameter(), face.v_min);
   v_hi_ = v_closed ? surface_.LastVParameter() : std::max(surface_.LastVParameter(), face.v_max);
   keep_elementary();
+  if (surface_.GetType() == GeomAbs_BSplineSurface) index_spans();
   const double u_span = face.u_max - face.u_min, v_span = face.v_max - face.v_min;
   for (const double a : {0.1, 0.5, 0.9}) {
     for (const double b : {0.1, 0.5, 0.9}) {
@@ -97,6 +100,26 @@ void FaceSurface::keep_elementary() {
   }
 }
 
+void FaceSurface::index_spans() {
+  const Handle(Geom_BSplineSurface) spline = surface_.BSpline();
+  for (int k = 1; k <= spline->NbUKnots(); ++k) u_knots_.push_back(spline->UKnot(k));
+  for (int k = 1; k <= spline->NbVKnots(); ++k) v_knots_.push_back(spline->VKnot(k));
+  const std::size_t spans = (u_knots_.size() - 1) * (v_knots_.size() - 1);
+  if (spans > 1) by_span_.resize(std::min(spans, kMostSpans));
+}
+
+const GeomAdaptor_Surface& FaceSurface::adaptor(double u, double v) const {
+  if (by_span_.empty()) return surface_;
+  const auto span = [](const std::vector<double>& knots, double x) {
+    const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
+    return static_cast<std::size_t>(after - knots.begin()) - 1;
+  };
+  const std::size_t place = span(u_knots_, u) * (v_knots_.size() - 1) + span(v_knots_, v);
+  std::unique_ptr<GeomAdaptor_Surface>& slot = by_span_[place % by_span_.size()];
+  if (!slot) slot = std::make_unique<GeomAdaptor_Surface>(surface_.Surface());
+  return *slot;
+}
+
 // OpenCASCADE evaluates a closed surface that is not flagged periodic inside its range only.
 void FaceSurface::wrap(double& u, double& v) const {
   if (is_elementary()) return;
@@ -107,7 +130,7 @@ void FaceSurface::wrap(double& u, double& v) const {
 Vec3 FaceSurface::value(double u, double v) const {
   wrap(u, v);
   gp_Pnt p;
-  surface_.D0(u, v, p);
+  adaptor(u, v).D0(u, v, p);
   if (located_) p.Transform(location_);
   return to_vec(p);
 }
@@ -116,7 +139,7 @@ void FaceSurface::first(double u, double v, Vec3& xyz, Vec3& du, Vec3& dv) const
   wrap(u, v);
   gp_Pnt p;
   gp_Vec pu, pv;
-  surface_.D1(u, v, p, pu, pv);
+  adaptor(u, v).D1(u, v, p, pu, pv);
   if (located_) {
     p.Transform(location_);
     pu.Transform(location_);
@@ -131,7 +154,7 @@ SurfaceDerivatives FaceSurface::second(double u, double v) const {
   wrap(u, v);
   gp_Pnt p;
   gp_Vec pu, pv, puu, pvv, puv;
-  surface_.D2(u, v, p, pu, pv, puu, pvv, puv);
+  adaptor(u, v).D2(u, v, p, pu, pv, puu, pvv, puv);
   if (located_) {
     p.Transform(location_);
     for (gp_Vec* d : {&pu, &pv, &puu, &pvv, &puv}) d->Transform(location_);

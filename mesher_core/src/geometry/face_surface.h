@@ -4,6 +4,8 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Trsf.hxx>
+#include <memory>
+#include <vector>
 
 #include "geometry/evaluator.h"
 #include "geometry/model.h"
@@ -60,16 +62,24 @@ class FaceSurface {
   bool newton_step(const Vec3& point, double u, double v, const SurfaceDerivatives& s, double& du,
                    double& dv) const;
 
+  const GeomAdaptor_Surface& adaptor(double u, double v) const;
+  void index_spans();
+
   const Face* face_;
   gp_Trsf location_, inverse_;
   bool located_ = false;
-  GeomAdaptor_Surface surface_;           // after the location, which its making sets
-  gp_Ax3 axes_;                           // of an elementary surface
-  double radius_ = 0.0, second_ = 0.0;    // and its radius; cone: angle [rad], torus: minor radius
-  double scale_ = 1.0;                    // of the location
-  double u_lo_, u_hi_, v_lo_, v_hi_;      // where the surface exists
-  double speed_u_ = 0.0, speed_v_ = 0.0;  // typical |Su|, |Sv| over the face
-  double size_ = 0.0;                     // of the face, about [mm]
+  GeomAdaptor_Surface surface_;  // after the location, which its making sets
+  // A B-spline's adaptor keeps the polynomial of the span that it was asked for last, and making
+  // one costs far more than its evaluation: each span has an adaptor of its own, or shares it with
+  // others far away. By slot, made when asked for.
+  mutable std::vector<std::unique_ptr<GeomAdaptor_Surface>> by_span_;
+  std::vector<double> u_knots_, v_knots_;  // empty: one span, or no B-spline
+  gp_Ax3 axes_;                            // of an elementary surface
+  double radius_ = 0.0, second_ = 0.0;     // and its radius; cone: angle [rad], torus: minor radius
+  double scale_ = 1.0;                     // of the location
+  double u_lo_, u_hi_, v_lo_, v_hi_;       // where the surface exists
+  double speed_u_ = 0.0, speed_v_ = 0.0;   // typical |Su|, |Sv| over the face
+  double size_ = 0.0;                      // of the face, about [mm]
 };
 
 }  // namespace advlayers

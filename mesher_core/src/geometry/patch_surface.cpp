@@ -11,7 +11,9 @@ namespace {
 
 constexpr int kEdgeSamples = 32;
 constexpr int kMaxFaces = 64;  // that one step may lead over
-constexpr int kBisections = 40;
+// Of a step, for the place where it leaves its face. What is left of it goes on from the foot on
+// the neighbour, so that an error here enters the place squared.
+constexpr int kBisections = 14;
 // The trimmed regions are polygons within this part of a face's extent.
 constexpr double kBlur = 1e-3;
 constexpr double kLengthError = 1e-7;  // relative

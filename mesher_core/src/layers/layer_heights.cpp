@@ -8,7 +8,6 @@
 #include "base/directions.h"
 #include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
-#include "layers/isotropy.h"
 #include "sizing/gap_rule.h"
 
 namespace advlayers {
@@ -36,17 +35,8 @@ class HeightSetter {
       draft_.plan.shapes[index(i)] = node_shape(draft_.mesh, draft_.front, i);
       draft_.heights[index(i)] =
           std::min({node.growth.height, draft_.state.max_height, most_height(i)});
-      if (node.growth.layers_left <= 0) draft_.end(i, Stop::kLayersReached);
     }
-    if (draft_.state.stop_at_isotropy) end_isotropic();
     draft_.drop_lone_nodes(Stop::kNeighbour);
-  }
-
-  void end_isotropic() {
-    const std::vector<char> isotropic = isotropic_nodes(draft_.front, draft_.plan.shapes);
-    for (int i = 0; i < draft_.front.size(); ++i) {
-      if (draft_.advances(i) && isotropic[index(i)] != 0) draft_.end(i, Stop::kIsotropic);
-    }
   }
 
   // Where the front's edges are short for the sake of the surface's curvature and may not grow with

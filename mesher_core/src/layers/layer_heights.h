@@ -5,9 +5,9 @@
 
 namespace advlayers {
 
-// Measures the front, stops the nodes that have what was asked for, and caps the heights where
-// fronts draw near: opposing fronts meet evenly. Where two more rows would leave less than one, the
-// height is a third of the gap; where not even two fit, the column stops.
+// Measures the front, and caps the heights where fronts draw near: opposing fronts meet evenly.
+// Where two more rows would leave less than one, the height is a third of the gap; where not even
+// two fit, the column stops.
 void set_heights(PlanDraft& draft);
 
 }  // namespace advlayers

@@ -5,6 +5,7 @@
 #include "layers/bends_ahead.h"
 #include "layers/chain_end.h"
 #include "layers/close_front.h"
+#include "layers/complete_columns.h"
 #include "layers/insert_layer.h"
 #include "layers/layer_plan.h"
 #include "layers/layer_state.h"
@@ -46,7 +47,11 @@ constexpr std::array<LayerStep, 9> kLayerSteps{{
      }},
     {Step::kImprove, "improve",
      [](LayerState& state, LayerPlan&) { state.swaps.run(state.limits, state.report.vetoes); }},
-    {Step::kGrow, "grow", [](LayerState& state, LayerPlan& plan) { advance_front(state, plan); }},
+    {Step::kGrow, "grow",
+     [](LayerState& state, LayerPlan& plan) {
+       advance_front(state, plan);
+       end_complete_columns(state, state.layer + 1);
+     }},
 }};
 static_assert(in_order(kLayerSteps));
 
@@ -88,8 +93,9 @@ PatchLayers::~PatchLayers() = default;
 
 std::optional<LayerReport> PatchLayers::advance() {
   LayerState& state = impl_->state;
-  if (state.front.active_count() == 0) return std::nullopt;
   state.report = LayerReport();
+  if (state.layer == 0) end_complete_columns(state, 1);
+  if (state.front.active_count() == 0) return std::nullopt;
   state.report.patch = state.patch;
   state.report.layer = ++state.layer;
   impl_->advance_layer();

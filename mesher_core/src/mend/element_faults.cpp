@@ -11,7 +11,7 @@ namespace {
 // the centroid is spared then.
 constexpr double kClearlyUpright = 0.55;
 constexpr double kBent = -0.2;  // cosine at a corner
-constexpr int kTurnedOver = 4, kFolded = 2;
+constexpr int kTurnedOver = 4, kFolded = kInvalid;
 
 Vec3 area_of(const SurfaceMesh& mesh, const FaceCorners& v) {
   const Vec3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]);

@@ -32,6 +32,9 @@ inline constexpr double kSteep = 0.5;
 // the corners' normals tell that it is upright; -1 where it has no area.
 double uprightness(const SurfaceMesh& mesh, const FaceCorners& corners, PatchSurface& surface);
 
+// From this weight of faults on an element is turned over, or a corner of it is: it is invalid.
+inline constexpr int kInvalid = 2;
+
 // What mending is to remove, by weight: an element turned over weighs most, then a folded corner of
 // a quad, then a steep element, or one that reaches around a bend. 0: none of these.
 int faults_of(const SurfaceMesh& mesh, const FaceCorners& corners, PatchSurface& surface);

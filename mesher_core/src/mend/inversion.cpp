@@ -24,16 +24,33 @@ constexpr std::array<double, 5> kShares{0.05, 0.15, 0.3, 0.5, 0.75};
 
 class Mender {
  public:
-  Mender(SurfaceMesh& mesh, PatchSurface& surface) : mesh_(mesh), surface_(surface) {}
+  Mender(SurfaceMesh& mesh, PatchSurface& surface, LayerCells cells)
+      : mesh_(mesh), surface_(surface), cells_(cells) {}
   bool is_faulty(FaceH face) { return faults(face) > 0; }
   // True where the faults about the element weigh less than before. Moving vertices takes long.
-  bool mend(FaceH face, bool thoroughly);
+  // Layers that are to stay are spared, if that suffices or the element is a valid one.
+  bool mend(FaceH face, bool thoroughly) {
+    sparing_ = cells_ == LayerCells::kStay;
+    if (mend_about(face, thoroughly)) return true;
+    if (!sparing_ || faults(face) < kInvalid) return false;
+    sparing_ = false;
+    return mend_about(face, thoroughly);
+  }
+  int of_layers() const { return of_layers_; }
 
  private:
   int faults(const FaceCorners& corners) { return faults_of(mesh_, corners, surface_); }
   int faults(FaceH face) { return faults(corners_around(mesh_, face)); }
 
   int faults_about(VertexH v);
+  bool mend_about(FaceH face, bool thoroughly);
+
+  bool may_change(FaceH f) const { return !sparing_ || !is_layer_cell(mesh_, f); }
+  void note_change(FaceH f) {
+    if (cells_ == LayerCells::kStay && is_layer_cell(mesh_, f)) ++of_layers_;
+  }
+  std::vector<FaceH> faces_about(VertexH v) const;
+  bool may_move(VertexH v) const;
 
   bool is_loose(VertexH v) const;
   bool divide_quad(FaceH face, int most);
@@ -48,16 +65,21 @@ class Mender {
 
   SurfaceMesh& mesh_;
   PatchSurface& surface_;
+  LayerCells cells_;
+  bool sparing_ = false;
+  int of_layers_ = 0;
 };
 
 using Triangle = std::array<VertexH, 3>;
 
 bool Mender::divide_quad(FaceH face, int most) {
+  if (!may_change(face)) return false;
   const auto v = corners_around(mesh_, face);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const VertexH a = v[k], b = v[k + 1], c = v[(k + 2) % 4], d = v[(k + 3) % 4];
     if (faults(Triangle{a, b, c}) + faults(Triangle{a, c, d}) > most) continue;
     if (mesh_.find_halfedge(a, c).valid()) continue;
+    note_change(face);
     mesh_.divide(face, a);
     return true;
   }
@@ -70,10 +92,13 @@ bool Mender::flip_side(HalfedgeH h) {
   const VertexH c = mesh_.to(mesh_.next(h)), d = mesh_.to(mesh_.next(t));
   const int before = faults(mesh_.face(h)) + faults(mesh_.face(t));
   if (faults(Triangle{a, d, c}) + faults(Triangle{d, b, c}) >= before) return false;
-  if (mesh_.curve(h).valid()) return false;
+  if (mesh_.curve(h).valid() || !may_change(mesh_.face(h)) || !may_change(mesh_.face(t))) {
+    return false;
+  }
   const bool frozen = mesh_.frozen(h);
   mesh_.set_frozen(h, false);
   if (mesh_.flip_veto(h) == Veto::kNone) {
+    for (const HalfedgeH side : {h, t}) note_change(mesh_.face(side));
     mesh_.flip(h);
     return true;
   }
@@ -84,7 +109,9 @@ bool Mender::flip_side(HalfedgeH h) {
 // `h` lies between a triangle, on its left, and a quad.
 bool Mender::recut_beside(HalfedgeH h) {
   const HalfedgeH t = SurfaceMesh::twin(h);
-  if (mesh_.curve(h).valid()) return false;
+  if (mesh_.curve(h).valid() || !may_change(mesh_.face(h)) || !may_change(mesh_.face(t))) {
+    return false;
+  }
   const Pentagon pentagon = pentagon_at(mesh_, h, mesh_.to(mesh_.next(h)));
   const int before = faults(mesh_.face(h)) + faults(mesh_.face(t));
   for (const auto cut : {PentagonCut::kA, PentagonCut::kB, PentagonCut::kC, PentagonCut::kD}) {
@@ -92,7 +119,10 @@ bool Mender::recut_beside(HalfedgeH h) {
     if (faults(halves.triangle) + faults(halves.quad) >= before) continue;
     const bool frozen = mesh_.frozen(h);
     mesh_.set_frozen(h, false);
+    const int before_cut = of_layers_;
+    for (const HalfedgeH side : {h, t}) note_change(mesh_.face(side));
     if (recut(mesh_, h, cut)) return true;
+    of_layers_ = before_cut;
     mesh_.set_frozen(h, frozen);
   }
   return false;
@@ -112,6 +142,23 @@ bool Mender::is_loose(VertexH v) const {
   return true;
 }
 
+std::vector<FaceH> Mender::faces_about(VertexH v) const {
+  std::vector<FaceH> faces;
+  const HalfedgeH first = mesh_.outgoing(v);
+  HalfedgeH h = first;
+  do {
+    if (!mesh_.is_border(h)) faces.push_back(mesh_.face(h));
+    h = mesh_.rotate_cw(h);
+  } while (h != first);
+  return faces;
+}
+
+bool Mender::may_move(VertexH v) const {
+  if (!sparing_) return true;
+  const std::vector<FaceH> faces = faces_about(v);
+  return std::all_of(faces.begin(), faces.end(), [this](FaceH f) { return may_change(f); });
+}
+
 int Mender::faults_about(VertexH v) {
   int faulty = 0;
   const HalfedgeH first = mesh_.outgoing(v);
@@ -126,7 +173,7 @@ int Mender::faults_about(VertexH v) {
 // Moves a vertex inside the patch to the nearest of some places about it that leave fewest faulty.
 bool Mender::relocate(VertexH v) {
   const VertexData before = mesh_.data(v);
-  if (!is_loose(v)) return false;
+  if (!is_loose(v) || !may_move(v)) return false;
   std::vector<Vec3> beside;
   const HalfedgeH first = mesh_.outgoing(v);
   HalfedgeH h = first;
@@ -156,7 +203,9 @@ bool Mender::relocate(VertexH v) {
     }
   }
   mesh_.data(v) = best;
-  return best.point.xyz != before.point.xyz;
+  if (best.point.xyz == before.point.xyz) return false;
+  for (const FaceH f : faces_about(v)) note_change(f);
+  return true;
 }
 
 // Cuts the faces within the ring into the triangles with the fewest faults.
@@ -164,7 +213,10 @@ bool Mender::recut_cavity(const std::vector<FaceH>& cavity, const std::vector<Ve
   if (ring.size() < 3 || ring.size() > kMostInRing) return false;
   if (std::set<VertexH>(ring.begin(), ring.end()).size() < ring.size()) return false;  // no disc
   int before = 0, after = 0;
-  for (const FaceH f : cavity) before += faults(f);
+  for (const FaceH f : cavity) {
+    if (!may_change(f)) return false;
+    before += faults(f);
+  }
   const auto made = cheapest_triangles(ring, [this](const Triangle& t) {
     const Vec3 normal = mesh_.data(t[0]).normal + mesh_.data(t[1]).normal + mesh_.data(t[2]).normal;
     const double sine =
@@ -173,6 +225,7 @@ bool Mender::recut_cavity(const std::vector<FaceH>& cavity, const std::vector<Ve
   });
   for (const auto& t : made) after += faults(Triangle{t[0], t[1], t[2]});
   if (after >= before || mesh_.replace_veto(cavity, made) != Veto::kNone) return false;
+  for (const FaceH f : cavity) note_change(f);
   mesh_.replace(cavity, made);
   return true;
 }
@@ -203,7 +256,8 @@ bool Mender::recut_about(FaceH face) {
   do {
     const HalfedgeH t = SurfaceMesh::twin(h);
     ring.push_back(mesh_.from(h));
-    if (!mesh_.is_border(t) && mesh_.is_triangle(t) && !mesh_.curve(h).valid()) {
+    const bool joins = !mesh_.is_border(t) && mesh_.is_triangle(t) && !mesh_.curve(h).valid();
+    if (joins && may_change(mesh_.face(t))) {
       cavity.push_back(mesh_.face(t));
       ring.push_back(mesh_.to(mesh_.next(t)));
     }
@@ -220,15 +274,20 @@ bool Mender::split_bend(HalfedgeH h) {
   if (mesh_.split_edge_veto(h) != Veto::kNone || !find_bend_middle(mesh_, surface_, h, middle)) {
     return false;
   }
-  const int before = faults(mesh_.face(h)) + faults(mesh_.face(SurfaceMesh::twin(h)));
+  const FaceH left = mesh_.face(h), right = mesh_.face(SurfaceMesh::twin(h));
+  if (!may_change(left) || !may_change(right)) return false;
+  const int before = faults(left) + faults(right);
   const VertexH back = mesh_.to(h);
   const VertexH v = mesh_.split_edge(h, middle);
-  if (faults_about(v) < before) return true;
+  if (faults_about(v) < before) {
+    for (const FaceH f : faces_about(v)) note_change(f);
+    return true;
+  }
   mesh_.collapse(mesh_.find_halfedge(v, back));
   return false;
 }
 
-bool Mender::mend(FaceH face, bool thoroughly) {
+bool Mender::mend_about(FaceH face, bool thoroughly) {
   if (mend_by_edges(face)) return true;
   for (const VertexH v : corners_around(mesh_, face)) {
     if (thoroughly && relocate(v)) return true;
@@ -275,8 +334,9 @@ bool is_steep(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface) {
   return uprightness(mesh, corners_around(mesh, face), surface) < kSteep;
 }
 
-int mend_inverted(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface) {
-  Mender mender(mesh, surface);
+Mended mend_inverted(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
+                     LayerCells cells) {
+  Mender mender(mesh, surface, cells);
   int left = 0;
   bool thoroughly = false;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -293,7 +353,7 @@ int mend_inverted(const RunContext& context, SurfaceMesh& mesh, PatchSurface& su
     if (!mended && (thoroughly || !few)) break;
     thoroughly = few;
   }
-  return left;
+  return {left, mender.of_layers()};
 }
 
 }  // namespace advlayers

@@ -3,6 +3,7 @@
 
 #include "base/run_context.h"
 #include "geometry/patch_surface.h"
+#include "measure/layer_cells.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
@@ -15,8 +16,14 @@ bool is_inverted(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface);
 bool is_steep(const SurfaceMesh& mesh, FaceH face, PatchSurface& surface);
 
 // Tries to turn inverted elements back by flips, by cutting the pentagon with a neighbour anew, by
-// dividing quads: whichever leaves fewer inverted. Layers are cut into where nothing else helps;
-// the border stays. Returns the number of elements still inverted. Throws Cancelled.
-int mend_inverted(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface);
+// dividing quads: whichever leaves fewer inverted. Layers are cut into where nothing else helps,
+// those that are to stay only where an element is turned over or folded; the border stays. Throws
+// Cancelled.
+struct Mended {
+  int left = 0;       // elements still faulty
+  int of_layers = 0;  // that were to stay, and were changed
+};
+Mended mend_inverted(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
+                     LayerCells cells = LayerCells::kTraded);
 
 }  // namespace advlayers

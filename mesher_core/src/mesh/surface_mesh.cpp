@@ -170,13 +170,16 @@ int SurfaceMesh::valence(VertexH v) const {
 }
 
 HalfedgeH SurfaceMesh::find_halfedge(VertexH a, VertexH b) const {
-  const HalfedgeH first = outgoing(a);
-  if (!first.valid()) return {};
-  HalfedgeH h = first;
+  const HalfedgeH first = outgoing(a), back = outgoing(b);
+  if (!first.valid() || !back.valid()) return {};
+  HalfedgeH h = first, t = back;
+  // About both ends at once: one of them may have very many edges.
   do {
     if (to(h) == b) return h;
+    if (to(t) == a) return twin(t);
     h = rotate_cw(h);
-  } while (h != first);
+    t = rotate_cw(t);
+  } while (h != first && t != back);
   return {};
 }
 

@@ -23,30 +23,35 @@ int count_inverted(const RunContext& context, const SurfaceMesh& mesh, PatchSurf
 
 }  // namespace
 
-void complete_core(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
-                   const Settings& settings) {
+Completion complete_core(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
+                         const Settings& settings, LayerCells cells) {
   improve_core(context, mesh, surface);
-  if (settings.core == CoreElements::kQuads) recombine(context, mesh, surface);
-  mend_inverted(context, mesh, surface);
+  if (settings.core == CoreElements::kQuads) recombine(context, mesh, surface, cells);
+  Completion done;
+  done.of_layers_mended = mend_inverted(context, mesh, surface, cells).of_layers;
   return_to_core(mesh);
+  return done;
 }
 
-int complete_core_along_edges(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
-                              const Discretization& boundary, const Settings& settings) {
+Completion complete_core_along_edges(const RunContext& context, SurfaceMesh& mesh,
+                                     PatchSurface& surface, const Discretization& boundary,
+                                     const Settings& settings, LayerCells cells) {
   SurfaceMesh across = mesh;
-  int crossing = imprint_edges(context, mesh, surface, boundary);
+  const int crossing = imprint_edges(context, mesh, surface, boundary);
   collapse_slivers(context, mesh);
-  complete_core(context, mesh, surface, settings);
+  Completion done = complete_core(context, mesh, surface, settings, cells);
+  done.crossing = crossing;
   if (const int inverted = count_inverted(context, mesh, surface); inverted > 0) {
     std::swap(mesh, across);
-    complete_core(context, mesh, surface, settings);
+    Completion other = complete_core(context, mesh, surface, settings, cells);
     if (count_inverted(context, mesh, surface) < inverted) {
-      crossing = kAllMayCross;
+      done = other;
+      done.crossing = kAllMayCross;
     } else {
       std::swap(mesh, across);
     }
   }
-  return crossing;
+  return done;
 }
 
 }  // namespace advlayers

@@ -1,5 +1,6 @@
 #include "mesher/patch_job.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "measure/core_region.h"
@@ -12,6 +13,19 @@
 #include "triangulate/triangulate.h"
 
 namespace advlayers {
+namespace {
+
+// Only layers that run until fronts meet were not asked for one by one.
+LayerCells layer_cells(const WallPlan& walls) {
+  if (walls.stop_at_isotropy) return LayerCells::kStay;
+  const bool counted = std::any_of(walls.edges.begin(), walls.edges.end(), [](const auto& entry) {
+    const EdgePlan& plan = entry.second;
+    return plan.condition == EdgeCondition::kWall && plan.growth.layers_left != kUntilClosed;
+  });
+  return counted ? LayerCells::kStay : LayerCells::kTraded;
+}
+
+}  // namespace
 
 PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
                    const Settings& settings)
@@ -128,10 +142,18 @@ void PatchJob::finish(const RunContext& context, const Discretization& boundary)
   const SurfaceMesh before = mesh_;
   const bool done = record_.guard("core-not-improved", [&] {
     return_to_core(mesh_);
-    if (surface_.has_inner_edges() && !surface_.faceted()) {
-      tell_of_crossings(complete_core_along_edges(context, mesh_, surface_, boundary, *settings_));
-    } else {
-      complete_core(context, mesh_, surface_, *settings_);
+    const bool along_edges = surface_.has_inner_edges() && !surface_.faceted();
+    const LayerCells cells = layer_cells(walls_);
+    const Completion made =
+        along_edges
+            ? complete_core_along_edges(context, mesh_, surface_, boundary, *settings_, cells)
+            : complete_core(context, mesh_, surface_, *settings_, cells);
+    tell_of_crossings(made.crossing);
+    if (made.of_layers_mended > 0) {
+      record_.complain(
+          Severity::kWarning, "layers-mended",
+          Sentence("{}: {} elements of layers were changed, as elements there were turned over",
+                   patch_name(faces_), made.of_layers_mended));
     }
     if (faces_.size() > 1) find_faces(boundary);
     const std::string fault = find_connectivity_fault(mesh_);

@@ -157,13 +157,45 @@ void keep_first(const SurfaceMesh& mesh, const Columns& columns, const StopRecor
   place->second = {top_of(mesh, columns, record.root), record.layer};
 }
 
+// The layers of a column that the mesh still has: an extrusion with an element of the layer beside
+// it, from each vertex to one of its kids.
+int layers_over(const SurfaceMesh& mesh, VertexH from, int layer) {
+  int most = layer;
+  const HalfedgeH first = mesh.outgoing(from);
+  HalfedgeH h = first;
+  do {
+    const VertexH kid = mesh.to(h);
+    const VertexData& data = mesh.data(kid);
+    const auto in_layer = [&](HalfedgeH side) {
+      return !mesh.is_border(side) && mesh.data(mesh.face(side)).layer == data.layer;
+    };
+    if (data.parent == from && data.layer > layer &&
+        (in_layer(h) || in_layer(SurfaceMesh::twin(h)))) {
+      most = std::max(most, layers_over(mesh, kid, data.layer));
+    }
+    h = mesh.rotate_cw(h);
+  } while (h != first);
+  return most;
+}
+
+// The record as the finished mesh bears it out.
+StopRecord borne_out(const SurfaceMesh& mesh, StopRecord record) {
+  if (ran_out_of_room(record.reason)) return record;
+  const int found = layers_over(mesh, record.root, 0);
+  if (found >= record.layer - 1) return record;
+  if (record.reason == Stop::kLayersReached) record.reason = Stop::kBlocked;
+  record.layer = found + 1;
+  return record;
+}
+
 void count_layers(const SurfaceMesh& mesh, const Columns& columns, const Stops& stops,
                   const std::vector<VertexH>& roots, int layers_made, WallReport& report) {
   int shortest = layers_made, longest = 0;
   bool all_closed = true;
   for (const VertexH root : roots) {
     bool stopped = false;
-    stops.visit(root, [&](const StopRecord& record) {
+    stops.visit(root, [&](const StopRecord& noted) {
+      const StopRecord record = borne_out(mesh, noted);
       ++report.stops[name_in(kStops, record.reason)];
       keep_first(mesh, columns, record, report);
       stopped = true;

@@ -15,8 +15,8 @@ namespace advlayers {
 // than 20 degrees there and within two edges on either side; over the straight ones, or all, with
 // one kid where none is regular.
 //
-// `layers` are complete along the whole edge: made on every column but those that met another
-// front or column (closed, merged), where there was no room for more.
+// `layers` are complete along the whole edge: in the mesh on every column but those that met
+// another front or column (closed, merged), where there was no room for more.
 std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& surface,
                                       const WallPlan& plan, const std::vector<StopRecord>& stops,
                                       int layers_made);

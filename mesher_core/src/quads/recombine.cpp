@@ -77,9 +77,12 @@ void pair_triangles(const RunContext& context, SurfaceMesh& mesh) {
 }  // namespace
 
 void recombine(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
-               const RecombineSteps& steps) {
+               LayerCells cells, const RecombineSteps& steps) {
   pair_triangles(context, mesh);
-  const std::vector<VertexH> free = free_vertices(mesh), seam = seam_vertices(mesh);
+  const auto seam_of = [&] {
+    return cells == LayerCells::kTraded ? seam_vertices(mesh) : std::vector<VertexH>();
+  };
+  const std::vector<VertexH> free = free_vertices(mesh), seam = seam_of();
   for (int round = 0; round < kRounds; ++round) {
     const int joined = steps.walks ? join_triangles(context, mesh) : 0;
     if (round > 0 && joined == 0) break;
@@ -87,10 +90,10 @@ void recombine(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surfa
     smooth_stars(context, mesh, surface, free, QuadTarget::kSquare, kSweeps);
     smooth_stars(context, mesh, surface, seam, QuadTarget::kRectangle, kSweeps);
   }
-  if (steps.pairs) close_triangle_pairs(context, mesh);
-  if (steps.pentagons) recut_pentagons(context, mesh);
+  if (steps.pairs) close_triangle_pairs(context, mesh, cells);
+  if (steps.pentagons) recut_pentagons(context, mesh, cells);
   if (!steps.smoothing) return;
-  smooth_stars(context, mesh, surface, seam_vertices(mesh), QuadTarget::kRectangle, kSeamSweeps);
+  smooth_stars(context, mesh, surface, seam_of(), QuadTarget::kRectangle, kSeamSweeps);
 }
 
 }  // namespace advlayers

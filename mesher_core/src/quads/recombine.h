@@ -5,6 +5,7 @@
 
 #include "base/run_context.h"
 #include "geometry/patch_surface.h"
+#include "measure/layer_cells.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
@@ -18,8 +19,8 @@ struct RecombineSteps {
 };
 
 // The mesh is a valid mesh of the patch before and after; frozen edges and the vertices outside
-// the core stay as they are. Throws Cancelled.
+// the core stay as they are, but for the last layers, where they are traded. Throws Cancelled.
 void recombine(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
-               const RecombineSteps& steps = {});
+               LayerCells cells = LayerCells::kTraded, const RecombineSteps& steps = {});
 
 }  // namespace advlayers

@@ -38,9 +38,10 @@ struct Recut {
   PentagonCut cut = PentagonCut::kP;
 };
 
-void consider(const SurfaceMesh& mesh, HalfedgeH shared, Recut& best) {
+void consider(const SurfaceMesh& mesh, HalfedgeH shared, LayerCells cells, Recut& best) {
   const HalfedgeH beyond = SurfaceMesh::twin(shared);
   if (mesh.is_border(beyond) || mesh.is_triangle(beyond) || mesh.curve(shared).valid()) return;
+  if (cells == LayerCells::kStay && is_layer_cell(mesh, mesh.face(beyond))) return;
   const Pentagon pentagon = pentagon_at(mesh, shared, mesh.to(mesh.next(shared)));
   const auto shape = [&](PentagonCut cut) {
     const PentagonHalves halves = halves_of(pentagon, cut);
@@ -55,15 +56,16 @@ void consider(const SurfaceMesh& mesh, HalfedgeH shared, Recut& best) {
   }
 }
 
-bool recut_triangle(SurfaceMesh& mesh, FaceH f) {
+bool recut_triangle(SurfaceMesh& mesh, FaceH f, LayerCells cells) {
   const HalfedgeH first = mesh.halfedge(f);
   // A triangle in which a layer ends is as flat as the layer: no cut would make more of it.
   if (!mesh.is_triangle(first) || mesh.data(f).layer > 0) return false;
   const std::array<HalfedgeH, 3> sides{first, mesh.next(first), mesh.prev(first)};
   const std::array<VertexH, 3> corners{mesh.from(sides[0]), mesh.to(sides[0]), mesh.to(sides[1])};
   if (shape_of(mesh, corners) > kBadShape) return false;
+  if (cells == LayerCells::kStay && is_layer_cell(mesh, f)) return false;
   Recut best;
-  for (const HalfedgeH side : sides) consider(mesh, side, best);
+  for (const HalfedgeH side : sides) consider(mesh, side, cells, best);
   if (!best.shared.valid()) return false;
   const HalfedgeH shared = best.shared;
   const bool frozen = mesh.frozen(shared);
@@ -81,14 +83,14 @@ bool recut_triangle(SurfaceMesh& mesh, FaceH f) {
 
 }  // namespace
 
-int recut_pentagons(const RunContext& context, SurfaceMesh& mesh) {
+int recut_pentagons(const RunContext& context, SurfaceMesh& mesh, LayerCells cells) {
   constexpr int kPasses = 3;
   int total = 0;
   for (int pass = 0, cuts = 1; pass < kPasses && cuts > 0; ++pass) {
     cuts = 0;
     for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
       context.check();
-      if (mesh.alive(FaceH(i))) cuts += recut_triangle(mesh, FaceH(i));
+      if (mesh.alive(FaceH(i))) cuts += recut_triangle(mesh, FaceH(i), cells);
     }
     total += cuts;
   }

@@ -31,10 +31,14 @@ struct Remedy {
 
 class PairCloser {
  public:
-  PairCloser(SurfaceMesh& mesh, bool through_layers)
-      : mesh_(mesh), through_layers_(through_layers), parent_(mesh.face_capacity()) {}
+  PairCloser(SurfaceMesh& mesh, LayerCells cells, bool through_layers)
+      : mesh_(mesh),
+        cells_(cells),
+        through_layers_(through_layers),
+        parent_(mesh.face_capacity()) {}
 
   bool may_go(FaceH f) const {
+    if (cells_ == LayerCells::kStay) return !is_layer_cell(mesh_, f);
     const int layer = mesh_.data(f).layer;
     return layer == 0 || (through_layers_ && layer > kKeptLayers);
   }
@@ -53,6 +57,7 @@ class PairCloser {
   void carry_out();
 
   SurfaceMesh& mesh_;
+  LayerCells cells_;
   bool through_layers_;
   std::vector<FaceH> parent_;  // by face, in the search
   Faces touched_, goals_;
@@ -238,10 +243,11 @@ bool PairCloser::close(FaceH start) {
 
 }  // namespace
 
-int close_triangle_pairs(const RunContext& context, SurfaceMesh& mesh) {
+int close_triangle_pairs(const RunContext& context, SurfaceMesh& mesh, LayerCells cells) {
   int pairs = 0;
   for (const bool through_layers : {false, true}) {
-    PairCloser closer(mesh, through_layers);
+    if (through_layers && cells == LayerCells::kStay) break;
+    PairCloser closer(mesh, cells, through_layers);
     for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
       const FaceH f(i);
       if (!mesh.alive(f) || !mesh.is_triangle(mesh.halfedge(f)) || !closer.may_go(f)) continue;

@@ -10,11 +10,14 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "measure/layer_cells.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
 
-// Returns the number of pairs taken out. The first layers and the border stay. Throws Cancelled.
-int close_triangle_pairs(const RunContext& context, SurfaceMesh& mesh);
+// Returns the number of pairs taken out. The first layers and the border
+// stay, or all layers. Throws Cancelled.
+int close_triangle_pairs(const RunContext& context, SurfaceMesh& mesh,
+                         LayerCells cells = LayerCells::kTraded);
 
 }  // namespace advlayers
