@@ -2288,6 +2288,10 @@
         <translation>{}: {} Elemente sind gegen die Fläche invertiert</translation>
     </message>
     <message>
+        <source>{}: {} elements of layers were changed, as elements there were turned over</source>
+        <translation>{}: {} Elemente von Schichten wurden geändert, weil dort Elemente invertiert waren</translation>
+    </message>
+    <message>
         <source>{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces</source>
         <translation>{}: {} Elemente reichen über Kanten im Inneren der Teilfläche; ein kleinerer Kantenwinkel trennt die Flächen</translation>
     </message>

@@ -2288,6 +2288,10 @@
         <translation>{} : {} éléments sont inversés par rapport à la surface</translation>
     </message>
     <message>
+        <source>{}: {} elements of layers were changed, as elements there were turned over</source>
+        <translation>{} : {} éléments de couches ont été modifiés, car des éléments y étaient inversés</translation>
+    </message>
+    <message>
         <source>{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces</source>
         <translation>{} : {} éléments débordent des arêtes intérieures de la partie ; un angle d'arête vive plus petit sépare ses faces</translation>
     </message>

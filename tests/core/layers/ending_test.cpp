@@ -24,6 +24,18 @@ double triangle_percent(const LayerRun& run) {
   return 100.0 * triangles / (quads + triangles);
 }
 
+using MeshText = std::vector<std::tuple<int, int, bool, double, double, double>>;
+MeshText text_of(const SurfaceMesh& mesh) {
+  MeshText text;
+  for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
+    const HalfedgeH h(i);
+    if (!mesh.alive(h)) continue;
+    const Vec3& p = mesh.position(mesh.to(h));
+    text.emplace_back(mesh.to(h).value, mesh.face(h).value, mesh.frozen(h), p.x(), p.y(), p.z());
+  }
+  return text;
+}
+
 TEST(Closing, SquaresHaveHardlyATriangle) {
   double left = 0.0, quads = 0.0;
   const std::array<double, 5> sides{8.0, 9.0, 10.0, 11.0, 13.0};
@@ -142,6 +154,18 @@ TEST(Limits, StopsAtIsotropy) {
   }
 }
 
+// Where the last layer asked for is made no way is made for another: the core is as it was left.
+TEST(Limits, NothingIsClearedForALayerThatDoesNotCome) {
+  LayerRun run(rectangle(20, 10), {0.5, 0.1, 1.2});
+  LayerRun longer(rectangle(20, 10), {0.5, 0.1, 1.2});
+  for (auto& [edge, plan] : run.walls.edges) plan.growth.layers_left = 8;
+  for (auto& [edge, plan] : longer.walls.edges) plan.growth.layers_left = 20;
+  run.grow();
+  longer.grow(8);
+  EXPECT_EQ(run.reports.size(), 8u);
+  EXPECT_EQ(text_of(run.mesh), text_of(longer.mesh));
+}
+
 TEST(Cancel, BeforeALayer) {
   LayerRun run(plate_with_holes());
   run.grow(2);
@@ -167,18 +191,6 @@ TEST(Cancel, WithinALayerAtAnyStep) {
     EXPECT_EQ(find_inverted_element(run.mesh), "");
     EXPECT_EQ(border_of(run.mesh), border);
   }
-}
-
-using MeshText = std::vector<std::tuple<int, int, bool, double, double, double>>;
-MeshText text_of(const SurfaceMesh& mesh) {
-  MeshText text;
-  for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
-    const HalfedgeH h(i);
-    if (!mesh.alive(h)) continue;
-    const Vec3& p = mesh.position(mesh.to(h));
-    text.emplace_back(mesh.to(h).value, mesh.face(h).value, mesh.frozen(h), p.x(), p.y(), p.z());
-  }
-  return text;
 }
 
 TEST(Determinism, TwoRunsAreBitwiseEqual) {

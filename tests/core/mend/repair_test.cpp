@@ -102,5 +102,25 @@ TEST_F(OnPlane, AFlatTriangleIsCutIntoTheLayerBelow) {
   EXPECT_EQ(inverted(mesh), 0);
 }
 
+TEST_F(OnPlane, AFlatTriangleStaysBesideALayerThatIsToStay) {
+  SurfaceMesh mesh = mesh_of({{0, 0}, {0, 2}, {2, 2}, {2, 0}, {1, 2.1}}, {{0, 1, 2, 3}, {1, 4, 2}});
+  mesh.data(FaceH(0)).layer = 1;
+  EXPECT_EQ(recut_pentagons(RunContext(), mesh, LayerCells::kStay), 0);
+  EXPECT_EQ(recut_pentagons(RunContext(), mesh, LayerCells::kTraded), 1);
+}
+
+// Vertex 4 is pushed across the side (1, 2) into the quad of a layer.
+TEST_F(OnPlane, ALayerThatIsToStayIsCutOnlyWhereAnElementIsTurnedOver) {
+  for (const bool turned : {false, true}) {
+    SurfaceMesh mesh = mesh_of({{0, 0}, {0, 2}, {2, 2}, {2, 0}, {1, 3}}, {{0, 1, 2, 3}, {1, 4, 2}});
+    mesh.data(FaceH(0)).layer = 1;
+    mesh.data(VertexH(4)).point = evaluator.closest(face, Vec3(1, turned ? 1.0 : 2.02, 0));
+    EXPECT_EQ(inverted(mesh), turned ? 1 : 0);
+    const Mended mended = mend_inverted(RunContext(), mesh, surface, LayerCells::kStay);
+    EXPECT_EQ(inverted(mesh), 0);
+    EXPECT_EQ(mended.of_layers > 0, turned);
+  }
+}
+
 }  // namespace
 }  // namespace advlayers::test

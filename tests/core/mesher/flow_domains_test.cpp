@@ -220,6 +220,36 @@ TEST(Gaps, HeightsThatDoNotFitTheSizeAreNamed) {
   EXPECT_NE(told[0].find(" / Face1 and 1 more: first heights"), std::string::npos) << told[0];
 }
 
+// What finishes the mesh takes no cell of a layer that was asked for, however long and flat.
+TEST(Circle, EveryCellOfEveryLayerStays) {
+  BRepBuilderAPI_MakeFace face(gp_Pln(), outline_wire({{-5, -5}, {15, -5}, {15, 5}, {-5, 5}}));
+  face.Add(TopoDS::Wire(circle_wire(0, 0, 0.5).Reversed()));
+  const Model model = model_of(face.Face());
+  Settings settings;
+  settings.size = 0.4;
+  settings.curvature_angle = 5.0;
+  settings.first_height = 0.0005;
+  settings.growth = 1.2;
+  settings.walls_all = false;
+  settings.walls.resize(1);
+  for (std::size_t e = 0; e < model.edges().size(); ++e) {
+    if (model.edges()[e].length < 4) settings.walls[0].edges.emplace_back(e);
+  }
+  settings.end = EndOfGrowth::kLayers;
+  for (const int layers : {10, 20, 28}) {
+    settings.layers = layers;
+    const MeshResult mesh = mesh_of(model, settings);
+    ASSERT_EQ(mesh.walls.size(), 1u);
+    EXPECT_EQ(mesh.walls[0].layers, layers);
+    const std::size_t segments = mesh.edge_segments[mesh.walls[0].edge.index()].size();
+    for (int k = 1; k <= layers; ++k) {
+      const auto cells = std::count(mesh.quad_layer.begin(), mesh.quad_layer.end(), k);
+      EXPECT_EQ(static_cast<std::size_t>(cells), segments) << "layer " << k << " of " << layers;
+    }
+    EXPECT_EQ(mesh.figures.inverted, 0);
+  }
+}
+
 // A plate with a hundred holes: rings of quads alone around each.
 TEST(Washers, EveryHoleHasItsRings) {
   BRepBuilderAPI_MakeFace face(gp_Pln(), outline_wire({{0, 0}, {200, 0}, {200, 200}, {0, 200}}));

@@ -91,5 +91,11 @@ TEST(TrianglePairs, LeaveTheFirstLayersAlone) {
   EXPECT_EQ(strip.triangles(), 2);
 }
 
+TEST(TrianglePairs, LeaveLayersAloneThatAreToStay) {
+  Strip strip(8);
+  EXPECT_EQ(close_triangle_pairs(RunContext(), strip.mesh, LayerCells::kStay), 0);
+  EXPECT_EQ(strip.triangles(), 2);
+}
+
 }  // namespace
 }  // namespace advlayers
