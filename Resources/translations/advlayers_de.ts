@@ -1460,6 +1460,10 @@
         <translation>ihre Flächen benutzen sie mehr als zweimal</translation>
     </message>
     <message>
+        <source>its whole boundary is shorter than its tolerance</source>
+        <translation>Ihr ganzer Rand ist kürzer als seine Toleranz</translation>
+    </message>
+    <message>
         <source>joined with its neighbour</source>
         <translation>mit dem Nachbarn verschmolzen</translation>
     </message>
@@ -1482,6 +1486,10 @@
     <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
         <translation>Für sich vernetzt, weil die Elemente ihrer Teilflächen ihnen nicht folgen konnten: {}</translation>
+    </message>
+    <message>
+        <source>meshed on their own, as their patches could not be meshed with them: {}</source>
+        <translation>Für sich vernetzt, weil ihre Gebiete mit ihnen nicht vernetzt werden konnten: {}</translation>
     </message>
     <message>
         <source>meshed on their own, as they are curved more tightly than layers of this size can follow: {}</source>
@@ -1776,6 +1784,14 @@
         <translation>Kürzer als ein Zehntel der Größe, und die Netzkanten mit ihnen: {} und {} weitere</translation>
     </message>
     <message>
+        <source>shorter than the tolerance about them, and one point in the mesh: {}</source>
+        <translation>Kürzer als die Toleranz um sie, und im Netz ein Punkt: {}</translation>
+    </message>
+    <message>
+        <source>shorter than the tolerance about them, and one point in the mesh: {} and {} more</source>
+        <translation>Kürzer als die Toleranz um sie, und im Netz ein Punkt: {} und {} weitere</translation>
+    </message>
+    <message>
         <source>size and segments of an edge exclude each other</source>
         <translation>Elementgröße und Zahl der Abschnitte einer Kante schließen einander aus</translation>
     </message>
@@ -2056,6 +2072,10 @@
         <translation>{} steht sowohl unter {} als auch unter {}</translation>
     </message>
     <message>
+        <source>{} is narrower than the tolerance of its edges: it holds no element, and its neighbours meet there</source>
+        <translation>{} ist schmaler als die Toleranz ihrer Kanten: Sie trägt kein Element, und ihre Nachbarn treffen sich dort</translation>
+    </message>
+    <message>
         <source>{} is neither name nor label of an object: {}</source>
         <translation>{} ist weder Name noch Bezeichnung eines Objekts: {}</translation>
     </message>
@@ -2212,12 +2232,20 @@
         <translation>{}: Ihre Elemente reichen über Kanten im Inneren der Teilfläche; ein kleinerer Kantenwinkel trennt die Flächen</translation>
     </message>
     <message>
+        <source>{}: its layers broke the mesh, and it is meshed without them: {}</source>
+        <translation>{}: Ihre Schichten haben das Netz zerstört, und sie ist ohne sie vernetzt: {}</translation>
+    </message>
+    <message>
         <source>{}: its layers broke the mesh: {}</source>
         <translation>{}: Die Schichten haben das Netz zerstört: {}</translation>
     </message>
     <message>
         <source>{}: its segments are fixed: layers run along it where they fit</source>
         <translation>{}: Ihre Teilung steht fest: Schichten laufen daran entlang, wo sie passen</translation>
+    </message>
+    <message>
+        <source>{}: its sides are one line</source>
+        <translation>{}: Ihre Seiten sind eine Linie</translation>
     </message>
     <message>
         <source>{}: mesh edges of {} and {} join the same two nodes; they are too long</source>
@@ -2288,6 +2316,14 @@
         <translation>{}: {} Elemente sind gegen die Fläche invertiert</translation>
     </message>
     <message>
+        <source>{}: {} elements have an angle below 0.1 degrees</source>
+        <translation>{}: {} Elemente haben einen Winkel unter 0,1 Grad</translation>
+    </message>
+    <message>
+        <source>{}: {} elements have no area</source>
+        <translation>{}: {} Elemente haben keine Fläche</translation>
+    </message>
+    <message>
         <source>{}: {} elements of layers were changed, as elements there were turned over</source>
         <translation>{}: {} Elemente von Schichten wurden geändert, weil dort Elemente invertiert waren</translation>
     </message>
@@ -2314,6 +2350,10 @@
     <message>
         <source>{}: {} needs an edge with two ends, {} is closed</source>
         <translation>{}: {} braucht eine Kante mit zwei Enden, {} ist geschlossen</translation>
+    </message>
+    <message>
+        <source>{}: {} nodes lie in the place of another one</source>
+        <translation>{}: {} Knoten liegen an der Stelle eines anderen</translation>
     </message>
     <message>
         <source>{}: {} touches none of the edges it is listed for ({})</source>

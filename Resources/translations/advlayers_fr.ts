@@ -1460,6 +1460,10 @@
         <translation>ses faces l'emploient plus de deux fois</translation>
     </message>
     <message>
+        <source>its whole boundary is shorter than its tolerance</source>
+        <translation>tout son bord est plus court que sa tolérance</translation>
+    </message>
+    <message>
         <source>joined with its neighbour</source>
         <translation>fusionné avec son voisin</translation>
     </message>
@@ -1482,6 +1486,10 @@
     <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
         <translation>Maillées à part, car les éléments de leurs parties ne pouvaient pas les suivre : {}</translation>
+    </message>
+    <message>
+        <source>meshed on their own, as their patches could not be meshed with them: {}</source>
+        <translation>maillées seules, car leurs domaines ne pouvaient l'être avec elles : {}</translation>
     </message>
     <message>
         <source>meshed on their own, as they are curved more tightly than layers of this size can follow: {}</source>
@@ -1776,6 +1784,14 @@
         <translation>Plus courtes que le dixième de la taille, et les arêtes du maillage avec elles : {} et {} autres</translation>
     </message>
     <message>
+        <source>shorter than the tolerance about them, and one point in the mesh: {}</source>
+        <translation>Plus courtes que la tolérance autour d'elles, et un point dans le maillage : {}</translation>
+    </message>
+    <message>
+        <source>shorter than the tolerance about them, and one point in the mesh: {} and {} more</source>
+        <translation>Plus courtes que la tolérance autour d'elles, et un point dans le maillage : {} et {} autres</translation>
+    </message>
+    <message>
         <source>size and segments of an edge exclude each other</source>
         <translation>taille et nombre de segments d'une arête s'excluent</translation>
     </message>
@@ -2056,6 +2072,10 @@
         <translation>{} est à la fois dans {} et dans {}</translation>
     </message>
     <message>
+        <source>{} is narrower than the tolerance of its edges: it holds no element, and its neighbours meet there</source>
+        <translation>{} est plus étroite que la tolérance de ses arêtes : elle ne porte aucun élément, et ses voisines s'y rejoignent</translation>
+    </message>
+    <message>
         <source>{} is neither name nor label of an object: {}</source>
         <translation>{} n'est ni le nom ni l'étiquette d'un objet : {}</translation>
     </message>
@@ -2212,12 +2232,20 @@
         <translation>{} : ses éléments débordent des arêtes intérieures de la partie ; un angle d'arête vive plus petit sépare ses faces</translation>
     </message>
     <message>
+        <source>{}: its layers broke the mesh, and it is meshed without them: {}</source>
+        <translation>{} : ses couches ont brisé le maillage, et elle est maillée sans elles : {}</translation>
+    </message>
+    <message>
         <source>{}: its layers broke the mesh: {}</source>
         <translation>{} : ses couches ont rompu le maillage : {}</translation>
     </message>
     <message>
         <source>{}: its segments are fixed: layers run along it where they fit</source>
         <translation>{} : ses segments sont fixés : les couches la longent là où elles tiennent</translation>
+    </message>
+    <message>
+        <source>{}: its sides are one line</source>
+        <translation>{} : ses côtés sont une seule ligne</translation>
     </message>
     <message>
         <source>{}: mesh edges of {} and {} join the same two nodes; they are too long</source>
@@ -2288,6 +2316,14 @@
         <translation>{} : {} éléments sont inversés par rapport à la surface</translation>
     </message>
     <message>
+        <source>{}: {} elements have an angle below 0.1 degrees</source>
+        <translation>{} : {} éléments ont un angle inférieur à 0,1 degré</translation>
+    </message>
+    <message>
+        <source>{}: {} elements have no area</source>
+        <translation>{} : {} éléments n'ont pas d'aire</translation>
+    </message>
+    <message>
         <source>{}: {} elements of layers were changed, as elements there were turned over</source>
         <translation>{} : {} éléments de couches ont été modifiés, car des éléments y étaient inversés</translation>
     </message>
@@ -2314,6 +2350,10 @@
     <message>
         <source>{}: {} needs an edge with two ends, {} is closed</source>
         <translation>{} : {} demande une arête à deux extrémités, {} est fermée</translation>
+    </message>
+    <message>
+        <source>{}: {} nodes lie in the place of another one</source>
+        <translation>{} : {} nœuds sont à la place d'un autre</translation>
     </message>
     <message>
         <source>{}: {} touches none of the edges it is listed for ({})</source>

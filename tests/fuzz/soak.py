@@ -4,7 +4,8 @@
 
 PART: faces (200 random faces on plane, cylinder, sphere and B-spline saddle), invariance (60 of
 them turned, moved, scaled and mirrored), solids (300 random solids: primitives, booleans, fillets,
-lofts, sweeps, threads), jobs (150 spoilt job files), damaged (150 damaged CAD files); without
+lofts, sweeps, threads), injured (300 shapes with gaps, slivers and the like within their
+tolerances), jobs (150 spoilt job files), damaged (150 damaged CAD files); without
 PART, all.
 The same seed gives the same cases. What fails is written to out/soak as BREP and job file, to be
 meshed again with `freecadcmd App/advlayers_batch.py out/soak/NAME.job.json`, or measured again
@@ -38,6 +39,7 @@ PARTS = {
     "faces": Part("face_soak", 200, 60.0),
     "invariance": Part("invariance_soak", 60, 120.0),
     "solids": Part("solid_soak", 300, 120.0),
+    "injured": Part("injured_soak", 300, 60.0),
     "jobs": Part("job_soak", 150, 90.0),
     "damaged": Part("damaged_soak", 150, 60.0),
 }

@@ -10,6 +10,7 @@
 #include "boundary/edge_overshoot.h"
 #include "boundary/facing_joints.h"
 #include "boundary/facing_stretches.h"
+#include "boundary/joined_edges.h"
 #include "boundary/layers_along.h"
 #include "boundary/stretch.h"
 
@@ -20,6 +21,7 @@ namespace {
 // An even edge takes the fewest segments that are no longer than this many times the size.
 constexpr double kSizeTolerance = 1.1;
 constexpr double kSharpFold = 0.01;  // of the size: a fold narrower than this is not followed
+constexpr double kOneJoint = 0.2;    // of such a fold: a kink and a fold this near are one
 constexpr int kMaxRounds = 200;
 // Stretches that are cut alike, but differ in length, are shortened by their neighbours in so many
 // rounds alone: over a ring of strips one could shorten the other without end.
@@ -28,6 +30,8 @@ constexpr int kFacingRounds = 6;  // of giving both ends of strips as many segme
 // Triangles stay within 30 degrees of the surface, so the surface may turn no more along a segment.
 constexpr double kNormalAngle = M_PI / 6.0;
 constexpr int kMinLoop = 3;  // segments
+// Edges that go together for less than this part of the size stay two.
+constexpr double kLeastJoined = 0.05;
 
 class Discretizer {
  public:
@@ -106,7 +110,7 @@ class Discretizer {
       const int last = edge.end.valid() ? edge.end.value : closed_at(edge, first);
       int from = first;
       for (std::size_t k = 1; k < ends.size(); ++k) {
-        const int to = k + 1 == ends.size() ? last : joint_count_++;
+        const int to = k + 1 == ends.size() ? last : joint_at(EdgeId(i), ends[k]);
         stretches_.of_edge[i].push_back(stretches_.all.size());
         limits_.open = from != to;
         stretches_.all.push_back(
@@ -135,7 +139,28 @@ class Discretizer {
       if (!sides_[i].empty() && !model_.edges()[i].degenerate) joints[i] = own_joints(EdgeId(i));
     }
     face_joints(context_, evaluator_, strips_, joints);
+    find_joined();
+    joined_.add_joints(joints);
     return joints;
+  }
+
+  void find_joined() {
+    std::vector<double> least(model_.edges().size());
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      if (!sides_[i].empty()) least[i] = kLeastJoined * longest_segment(EdgeId(i));
+    }
+    joined_ = JoinedEdges(context_, evaluator_, meshed_, least);
+    joint_of_parting_.assign(joined_.size(), -1);
+  }
+
+  int joint_at(EdgeId edge, double t) {
+    VertexId vertex;
+    const int parting = joined_.parting_at(edge, t, vertex);
+    if (vertex.valid()) return vertex.value;
+    if (parting < 0) return joint_count_++;
+    int& joint = joint_of_parting_[static_cast<std::size_t>(parting)];
+    if (joint < 0) joint = joint_count_++;
+    return joint;
   }
 
   // The edge's ends and what takes a node between them: kinks of the curve, which turn no matter
@@ -148,8 +173,13 @@ class Discretizer {
       found.push_back(t);
     }
     std::vector<double> ends{extent.first, extent.last};
+    const double apart = std::max(model_.edge(id).tolerance, kOneJoint * least);
     for (const double t : found) {
-      if (t > extent.first && t < extent.last) ends.push_back(t);
+      const auto is_near = [&](double end) {
+        return std::abs(evaluator_.edge_length(id, end, t)) <= apart;
+      };
+      if (t <= extent.first || t >= extent.last) continue;
+      if (std::none_of(ends.begin(), ends.end(), is_near)) ends.push_back(t);
     }
     std::sort(ends.begin(), ends.end());
     return ends;
@@ -301,6 +331,7 @@ class Discretizer {
         add_edge(EdgeId(i), out);
       }
     }
+    joined_.share_nodes(evaluator_, out);
     return out;
   }
 
@@ -370,6 +401,8 @@ class Discretizer {
   Stretches stretches_;
   std::vector<FourSides> strips_;
   std::optional<FacingStretches> facing_;
+  JoinedEdges joined_;
+  std::vector<int> joint_of_parting_;  // -1: none yet
   std::vector<NodeId> joint_node_;
   std::vector<Diagnostic> notes_;
 };

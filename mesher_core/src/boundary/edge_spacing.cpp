@@ -17,6 +17,13 @@ constexpr int kMinDepth = 2, kMaxDepth = 12;
 // Normals ask for no finer cut than this part of the size or the stretch: where a crease of the
 // surface crosses the edge, no cut is fine enough.
 constexpr double kNormalFloor = 0.05;
+// A bend tighter than this part of the size or the stretch is seen as one that wide. None asks for
+// a finer cut than a part of that, or than so many times the edge's tolerance.
+constexpr double kBend = 0.01;
+constexpr double kFinestBend = 0.25;
+constexpr double kNoise = 2.0;
+constexpr double kBendChord = 2.0;  // that tells the direction there, over its width
+constexpr double kTooShort = 1e-3;  // for a turn to be told from rounding
 // An open stretch shorter than this part of the size is one segment, however it turns.
 constexpr double kTiny = 0.05;
 // Beyond the layers that run along it an edge grows faster: it meets the long edges of their front.
@@ -33,7 +40,13 @@ EdgeSpacing::EdgeSpacing(Evaluator& evaluator, EdgeId edge, double t_begin, doub
   }
   pieces.push_back(t_end);
   const double length = evaluator.edge_length(edge, t_begin, t_end);
+  t_end_ = t_end;
   least_by_normals_ = kNormalFloor * std::min(limits.size, length);
+  bend_ = kBend * std::min(limits.size, length);
+  least_by_curve_ =
+      std::max(kFinestBend * bend_,
+               std::min(kNoise * evaluator.model().edge(edge).tolerance, least_by_normals_));
+  bend_ = std::max(bend_, least_by_curve_);
   samples_.push_back({0.0, limits.size});
   if (limits.open && !limits.sizes->refined() && length < kTiny * limits.size) {
     samples_.push_back({length, limits.size});
@@ -68,6 +81,24 @@ EdgeSpacing::Station EdgeSpacing::station(double t, double inward) const {
   return st;
 }
 
+// A curve that runs back within its tolerance still leads on.
+EdgeSpacing::Chord EdgeSpacing::chord_about(const Station& at) const {
+  const double half = 0.5 * kBendChord * bend_;
+  const double from = std::max(t_begin_, evaluator_->edge_parameter(edge_, at.t, -half));
+  const double to = std::min(t_end_, evaluator_->edge_parameter(edge_, at.t, half));
+  return {evaluator_->edge_point(edge_, to) - evaluator_->edge_point(edge_, from),
+          0.5 * (evaluator_->edge_length(edge_, t_begin_, from) +
+                 evaluator_->edge_length(edge_, t_begin_, to))};
+}
+
+double EdgeSpacing::bend_spacing(const Station& a, const Station& b) const {
+  const Chord from = chord_about(a), to = chord_about(b);
+  const double turn = angle_between(from.along, to.along);
+  const double spacing = turn > 0.0 ? (to.middle - from.middle) * limits_.curve_angle / turn
+                                    : std::numeric_limits<double>::infinity();
+  return std::max(least_by_curve_, spacing);
+}
+
 // The spacing at which a segment between the two would turn as much as it may.
 double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
   const double ds = b.s - a.s;
@@ -80,6 +111,7 @@ double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
   const Vec3& to = b.tangent.norm() > least ? b.tangent : chord;
   const double turn = angle_between(from, to);
   if (turn > 0.0) spacing = ds * limits_.curve_angle / turn;
+  if (spacing < bend_ || ds < kTooShort * bend_) spacing = bend_spacing(a, b);
   for (std::size_t i = 0; i < a.normals.size(); ++i) {
     if (a.normals[i].isZero() || b.normals[i].isZero()) continue;
     const double normal_turn = angle_between(a.normals[i], b.normals[i]);

@@ -68,16 +68,24 @@ class EdgeSpacing {
   // Derivatives are taken `inward` of t.
   Station station(double t, double inward) const;
   void refine(const Station& a, const Station& b, int depth);
+  // What leads through the narrowest bend that is seen, and how far along the stretch its middle
+  // is.
+  struct Chord {
+    Vec3 along;
+    double middle;
+  };
+  Chord chord_about(const Station& at) const;
+  double bend_spacing(const Station& a, const Station& b) const;
   double turn_spacing(const Station& a, const Station& b) const;
   std::vector<SpacingSample> graded(double from, double to) const;
   void cut_between(double from, double to);
 
   Evaluator* evaluator_;
   EdgeId edge_;
-  double t_begin_;
+  double t_begin_, t_end_ = 0.0;
   const std::vector<Side>* sides_;  // while sampling only
   SpacingLimits limits_;
-  double least_by_normals_ = 0.0;  // [mm]
+  double least_by_normals_ = 0.0, least_by_curve_ = 0.0, bend_ = 0.0;  // [mm]
   std::vector<SpacingSample> samples_;
   int required_ = 1;
   double end_limit_[2] = {std::numeric_limits<double>::infinity(),

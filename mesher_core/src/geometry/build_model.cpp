@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/below_tolerance.h"
 #include "geometry/edge_curve.h"
 #include "geometry/evaluator.h"
 #include "geometry/face_loops.h"
@@ -49,9 +50,6 @@ Edge build_edge(const Model::Shape& shape, EdgeId id) {
   } catch (const Standard_Failure&) {
     out.last = out.first;
   }
-  // Some writers give a pole a curve of no length instead of flagging it.
-  const bool closed = out.start.valid() && out.start == out.end;
-  if (closed && out.last > out.first && out.length <= out.tolerance) out.degenerate = true;
   return out;
 }
 
@@ -127,6 +125,17 @@ Face build_face(const Model::Shape& shape, FaceId id, const std::vector<Edge>& e
   }
   if (!face.defect.empty()) face.loops.clear();
   return face;
+}
+
+void list_users(const std::vector<Face>& faces, std::vector<Edge>& edges) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (const auto& loop : faces[f].loops) {
+      for (const CoEdge& coedge : loop) {
+        std::vector<FaceId>& users = edges[coedge.edge.index()].faces;
+        if (users.empty() || users.back() != FaceId(f)) users.push_back(FaceId(f));
+      }
+    }
+  }
 }
 
 bool is_triangle(const Face& face) {
@@ -222,21 +231,18 @@ Model build_model(const RunContext& context, std::unique_ptr<Model::Shape> shape
       context.check();
       model.edges_.push_back(build_edge(*shape, EdgeId(i)));
     }
+    contract_short_edges(model.vertices_, model.edges_);
     shape->pcurves.resize(static_cast<std::size_t>(shape->faces.Extent()));
     for (int i = 0; i < shape->faces.Extent(); ++i) {
       context.check();
       const FaceId id(i);
       model.faces_.push_back(build_face(*shape, id, model.edges_, shape->pcurves[id.index()]));
-      for (const auto& loop : model.faces_.back().loops) {
-        for (const CoEdge& coedge : loop) {
-          std::vector<FaceId>& users = model.edges_[coedge.edge.index()].faces;
-          if (users.empty() || users.back() != id) users.push_back(id);
-        }
-      }
     }
-    model.triangular_ = std::all_of(model.faces_.begin(), model.faces_.end(), is_triangle);
     model.shape_ = std::move(shape);
     Evaluator evaluator(model);
+    remove_false_poles(evaluator, model.faces_);
+    list_users(model.faces_, model.edges_);
+    model.triangular_ = std::all_of(model.faces_.begin(), model.faces_.end(), is_triangle);
     model.diagonal_ = box_diagonal(context, evaluator);
     model.shape_->dihedral = measure_dihedrals(context, evaluator);
     return model;

@@ -21,6 +21,7 @@ constexpr std::array<GaussPoint, 4> kGauss{{{0.1834346424956498, 0.3626837833783
                                             {0.9602898564975363, 0.1012285362903763}}};
 constexpr double kLengthError = 1e-13;  // relative
 constexpr int kMaxDepth = 30;
+constexpr double kWithin = 0.1;  // of a span: where its end is told from inside
 
 }  // namespace
 
@@ -143,7 +144,9 @@ std::vector<double> EdgeCurve::kinks(double angle) const {
   const std::vector<double> knots = breaks(GeomAbs_C1);
   const double reach = 1e-7 * (edge_->last - edge_->first);
   for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
-    const Vec3 before = tangent(knots[i] - reach), after = tangent(knots[i] + reach);
+    // Never over the next knot: what turns there is told there.
+    const Vec3 before = tangent(knots[i] - std::min(reach, kWithin * (knots[i] - knots[i - 1])));
+    const Vec3 after = tangent(knots[i] + std::min(reach, kWithin * (knots[i + 1] - knots[i])));
     if (std::atan2(before.cross(after).norm(), before.dot(after)) > angle) out.push_back(knots[i]);
   }
   return out;

@@ -16,6 +16,8 @@ namespace advlayers {
 
 namespace {
 
+constexpr int kChords = 16;  // that stand for a curve in (u, v)
+
 // A co-edge with its ends, in the order of a walk that has the material on the left in (u, v).
 struct Link {
   CoEdge coedge;
@@ -99,7 +101,7 @@ class LoopBuilder {
         if (it.Value().Orientation() != TopAbs_INTERNAL) continue;
         Link there;
         if (!make_link(TopoDS::Edge(it.Value().Oriented(TopAbs_FORWARD)), there)) return false;
-        shift(there, shift_towards(centre, 0.5 * (there.uv_from + there.uv_to)));
+        shift(there, shift_towards(centre, middle({there})));
         std::vector<Link> back{there};
         reverse(back);
         loops_.push_back({there, back.front()});
@@ -210,10 +212,23 @@ class LoopBuilder {
     link.uv_to += by;
   }
 
-  static Vec2 middle(const std::vector<Link>& loop) {
-    Vec2 sum = Vec2::Zero();
-    for (const Link& link : loop) sum += 0.5 * (link.uv_from + link.uv_to);
-    return sum / static_cast<double>(loop.size());
+  // By the curves: the ends of a loop may all lie on one seam.
+  Vec2 middle(const std::vector<Link>& loop) const {
+    Eigen::AlignedBox2d box;
+    for (const Link& link : loop) {
+      for (int k = 0; k <= kChords; ++k) box.extend(point_on(link, k));
+    }
+    return box.center();
+  }
+
+  // In (u, v), along the walk.
+  Vec2 point_on(const Link& link, int k) const {
+    const Edge& edge = edges_[link.coedge.edge.index()];
+    const Pcurve& pcurve = *std::find_if(pcurves_.begin(), pcurves_.end(), [&](const Pcurve& p) {
+      return p.edge == link.coedge.edge && p.which == link.coedge.pcurve;
+    });
+    const double a = static_cast<double>(link.coedge.forward ? k : kChords - k) / kChords;
+    return pcurve.at(edge.first + a * (edge.last - edge.first), edge) + link.coedge.uv_shift;
   }
 
   // Curves of one loop may sit whole periods apart, and so may a hole and the loop around it.
@@ -232,18 +247,11 @@ class LoopBuilder {
 
   // Twice the signed area in (u, v), from chords of the curves.
   double signed_area(const std::vector<Link>& loop) const {
-    constexpr int kChords = 16;
     double area = 0.0;
     Vec2 previous = loop.back().uv_to;
     for (const Link& link : loop) {
-      const Edge& edge = edges_[link.coedge.edge.index()];
-      const Pcurve& pcurve = *std::find_if(pcurves_.begin(), pcurves_.end(), [&](const Pcurve& p) {
-        return p.edge == link.coedge.edge && p.which == link.coedge.pcurve;
-      });
       for (int k = 0; k <= kChords; ++k) {
-        const double a = static_cast<double>(link.coedge.forward ? k : kChords - k) / kChords;
-        const Vec2 p =
-            pcurve.at(edge.first + a * (edge.last - edge.first), edge) + link.coedge.uv_shift;
+        const Vec2 p = point_on(link, k);
         area += previous.x() * p.y() - previous.y() * p.x();
         previous = p;
       }

@@ -11,7 +11,8 @@
 namespace advlayers {
 namespace {
 
-constexpr double kNoCutAt = 0.002;  // of the chord from its ends
+constexpr double kNoCutAt = 0.002;   // of the chord from its ends
+constexpr double kSamePlace = 1e-3;  // of the element: a vertex this near to a cut is that cut
 
 class Imprinter {
  public:
@@ -92,6 +93,16 @@ class Imprinter {
     return corners;
   }
 
+  // The cut that lies where a vertex of the model does: it becomes that vertex.
+  VertexH cut_at(const Vec3& xyz, const std::vector<VertexH>& corners, double near) const {
+    for (const VertexH v : corners) {
+      const VertexData& data = mesh_.data(v);
+      const bool is_cut = data.support == Support::kEdge && !data.node.valid();
+      if (is_cut && (data.point.xyz - xyz).norm() <= near) return v;
+    }
+    return {};
+  }
+
   // Parts a polygon that holds a vertex of the model by lines from there to the cuts.
   bool part_at_vertex(const std::vector<VertexH>& corners, bool triangles, PolygonPieces& pieces) {
     std::vector<std::size_t> spokes;
@@ -107,6 +118,14 @@ class Imprinter {
       const Vec3& xyz = surface_.model().vertex(*missed).xyz;
       SurfacePoint foot;
       if ((xyz - middle).norm() > reach) continue;
+      if (const VertexH there = cut_at(xyz, corners, kSamePlace * reach); there.valid()) {
+        mesh_.data(there).point.xyz = xyz;
+        mesh_.data(there).support = Support::kVertex;
+        sides_.put(there, sides_.at(*missed));
+        missed_.erase(missed);
+        pieces = cut_polygon(mesh_, sides_, corners, triangles);
+        return pieces.parted;
+      }
       if (!surface_.project(xyz, mesh_.data(corners[spokes[0]]).point, foot)) continue;
       VertexData data;
       foot.xyz = xyz;

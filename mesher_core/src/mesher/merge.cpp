@@ -117,8 +117,10 @@ void Merger::add_edge_segments() {
     if (!edge_used_[e]) continue;
     const auto& nodes = boundary_.edges[e].nodes;
     for (std::size_t k = 1; k < nodes.size(); ++k) {
-      result_.edge_segments[e].push_back(
-          {boundary_number_[nodes[k - 1].index()], boundary_number_[nodes[k].index()]});
+      const int from = boundary_number_[nodes[k - 1].index()];
+      const int to = boundary_number_[nodes[k].index()];
+      // Where the edge is one line with another of its face, no element may be beside it.
+      if (from != kUnused && to != kUnused) result_.edge_segments[e].push_back({from, to});
     }
   }
 }

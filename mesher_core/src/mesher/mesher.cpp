@@ -68,7 +68,9 @@ struct Mesher::Impl {
   std::map<std::string, double> seconds() const;
   bool part_faces(const std::vector<FaceId>& faces, const Sentence& said);
   void part_tight_faces();
+  bool part_failed_faces();
   bool part_strained_faces();
+  bool part_further();
   MeshResult finish();
   template <class Body>
   void for_each_job(const Body& body);
@@ -112,14 +114,14 @@ void Mesher::Impl::place_initial_mesh() {
       std::make_shared<InitialNodes>(context, model, *settings.initial_mesh, faces);
 }
 
-// A patch that is finished, and has the same faces as before, stays as it is.
+// A patch that is meshed, and has the same faces as before, stays as it is.
 void Mesher::Impl::make_jobs() {
   PatchJobs before = std::exchange(jobs, {});
   for (std::vector<FaceId>& faces : group_faces(model, settings)) {
     context.check();
     const PatchId id(jobs.size());
     const auto same = std::find_if(before.begin(), before.end(), [&](const auto& job) {
-      return job != nullptr && job->finished() && job->faces() == faces;
+      return job != nullptr && job->meshed() && job->faces() == faces;
     });
     if (same != before.end()) {
       (*same)->renumber(id);
@@ -144,7 +146,7 @@ void Mesher::Impl::for_each_job(const Body& body) {
   });
 }
 
-// Begins a finished patch anew: its boundary has changed.
+// Begins a meshed patch anew: its boundary has changed.
 void Mesher::Impl::renew(std::size_t index) {
   const PatchJob& old = *jobs[index];
   jobs[index] = std::make_unique<PatchJob>(old.id(), old.faces(), model, settings);
@@ -153,7 +155,7 @@ void Mesher::Impl::renew(std::size_t index) {
 
 void Mesher::Impl::cut_boundary() {
   for_each_job([this](PatchJob& job, std::size_t) {
-    if (!job.finished()) job.plan(context);
+    if (!job.meshed()) job.plan(context);
   });
   std::vector<MatchEnd> match_ends;
   std::vector<FourSides> strips;
@@ -163,10 +165,10 @@ void Mesher::Impl::cut_boundary() {
   }
   Evaluator evaluator(model);
   Discretization cut = discretize(context, evaluator, settings, match_ends, strips);
-  // Finished patches fit the boundary as it stands, with the edges that were halved since.
+  // Meshed patches fit the boundary as it stands, with the edges that were halved since.
   if (same_cuts(cut, first_cut)) return;
   for_each_job([this](PatchJob& job, std::size_t index) {
-    if (job.finished()) renew(index);
+    if (job.meshed()) renew(index);
   });
   boundary = first_cut = std::move(cut);
 }
@@ -179,6 +181,10 @@ void Mesher::Impl::start() {
   }
   const StageScope stage(context, RunStage::kTriangulate);
   triangulate_all();
+  while (part_failed_faces()) {
+    cut_boundary();
+    triangulate_all();
+  }
   release_free_memory();
   started = true;
 }
@@ -190,7 +196,7 @@ void Mesher::Impl::triangulate_all() {
   Share done(context, jobs);
   std::vector<AskedEdges> rounds;
   std::vector<char> waiting;
-  for (const auto& job : jobs) waiting.push_back(job->finished() ? 0 : 1);
+  for (const auto& job : jobs) waiting.push_back(job->meshed() ? 0 : 1);
   const Discretization before = boundary;
   while (true) {
     AskedEdges asked(jobs.size());
@@ -324,6 +330,16 @@ void Mesher::Impl::part_tight_faces() {
                              "this size can follow: {}"));
 }
 
+// Faces whose patches could not be triangulated with them cost their neighbours nothing.
+bool Mesher::Impl::part_failed_faces() {
+  std::vector<FaceId> failed;
+  for (const auto& job : jobs) {
+    failed.insert(failed.end(), job->failed_faces().begin(), job->failed_faces().end());
+  }
+  return part_faces(failed, Sentence("meshed on their own, as their patches could not be meshed "
+                                     "with them: {}"));
+}
+
 // Faces that the mesh of their patch could not follow: elements reach over them, or found no room.
 bool Mesher::Impl::part_strained_faces() {
   std::vector<FaceId> strained;
@@ -334,10 +350,15 @@ bool Mesher::Impl::part_strained_faces() {
                                        "could not follow them: {}"));
 }
 
+bool Mesher::Impl::part_further() {
+  const bool failed = part_failed_faces();
+  return part_strained_faces() || failed;
+}
+
 MeshResult Mesher::Impl::finish() {
   const bool whole = !growing && pending.empty();
   finish_jobs();
-  for (int k = 0; whole && k < kMostPartings && part_strained_faces(); ++k) {
+  for (int k = 0; whole && k < kMostPartings && part_further(); ++k) {
     grow_all();
     finish_jobs();
   }

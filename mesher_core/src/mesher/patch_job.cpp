@@ -52,13 +52,16 @@ void PatchJob::plan(const RunContext& context) {
     matches_ = plan_matches(evaluator_, faces_, walls_);
     strip_ = find_narrow_strip(evaluator_, faces_, walls_, *settings_);
   });
-  if (!planned) stage_ = Stage::kDefective;
+  if (planned) return;
+  stage_ = Stage::kDefective;
+  if (faces_.size() > 1) failed_ = faces_;
 }
 
 std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
                                           const Discretization& boundary) {
   if (stage_ == Stage::kDefective) return {};
   record_.begin(matches_.notes);
+  failed_.clear();
   std::vector<EdgeId> coarse;
   bool in_rows = false;
   bool meshed = record_.guard("face-not-meshed", [&] {
@@ -69,21 +72,39 @@ std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
           Sentence("{} has no boundary edge that layers could grow from", patch_name(faces_)));
     }
     in_rows = fill_in_rows(boundary);
-    if (in_rows) return;
-    try {
-      Triangulation made =
-          advlayers::triangulate(context, surface_, evaluator_, boundary, *settings_);
-      mesh_ = std::move(made.mesh);
-      coarse = std::move(made.coarse_edges);
-      initial_nodes_ = made.initial_nodes;
-      record_.take(made.diagnostics);
-    } catch (const BoundaryTooCoarse& error) {
-      coarse = error.edges();
-      throw;
-    }
+    if (!in_rows) make_triangles(context, boundary, coarse);
   });
+  if (!meshed && failed_.empty() && faces_.size() > 1) failed_ = faces_;
+  // A face without width: its neighbours meet along what it is.
+  if (meshed && mesh_.vertex_capacity() == 0) {
+    meshed = false;
+    record_.complain(Severity::kInfo, "below-tolerance",
+                     Sentence("{} is narrower than the tolerance of its edges: it holds no "
+                              "element, and its neighbours meet there",
+                              patch_name(faces_)));
+  }
   stage_ = !meshed ? Stage::kUnmeshed : in_rows ? Stage::kInRows : Stage::kGrowing;
   return coarse;
+}
+
+// `coarse` are the edges that it finds cut too coarsely, whether it is meshed or not.
+void PatchJob::make_triangles(const RunContext& context, const Discretization& boundary,
+                              std::vector<EdgeId>& coarse) {
+  try {
+    Triangulation made =
+        advlayers::triangulate(context, surface_, evaluator_, boundary, *settings_);
+    mesh_ = std::move(made.mesh);
+    coarse = std::move(made.coarse_edges);
+    initial_nodes_ = made.initial_nodes;
+    record_.take(made.diagnostics);
+  } catch (const BoundaryTooCoarse& error) {
+    coarse = error.edges();
+    throw;
+  } catch (const FacesNotTriangulated& error) {
+    coarse = error.edges();
+    failed_ = error.faces();
+    throw;
+  }
 }
 
 // A strip too narrow for layers is finished at once: each of its walls' columns has met the other.
@@ -132,12 +153,8 @@ void PatchJob::finish(const RunContext& context, const Discretization& boundary)
   end_layers();
   if (stage_ == Stage::kInRows) stage_ = Stage::kFinished;
   if (stage_ != Stage::kGrown) return;
-  if (const std::string fault = find_connectivity_fault(mesh_); !fault.empty()) {
-    record_.complain(Severity::kError, "face-not-meshed",
-                     Sentence("{}: its layers broke the mesh: {}", patch_name(faces_), fault));
-    stage_ = Stage::kUnmeshed;
-    return;
-  }
+  const std::string broken = find_connectivity_fault(mesh_);
+  if (!broken.empty() && !mend_without_layers(context, broken, boundary)) return;
   mesh_.put_in_order();
   const SurfaceMesh before = mesh_;
   const bool done = record_.guard("core-not-improved", [&] {
@@ -163,6 +180,27 @@ void PatchJob::finish(const RunContext& context, const Discretization& boundary)
   if (done) return;
   mesh_ = before;
   face_of_.clear();
+}
+
+// Layers that broke the mesh are given up: several faces are tried one by one, a single one is
+// meshed without them.
+bool PatchJob::mend_without_layers(const RunContext& context, const std::string& fault,
+                                   const Discretization& boundary) {
+  if (faces_.size() > 1) {
+    failed_ = faces_;
+    stage_ = Stage::kUnmeshed;
+  } else {
+    triangulate(context, boundary);
+    if (stage_ == Stage::kGrowing) stage_ = Stage::kGrown;
+    stops_.clear();
+    record_.forget_layers();
+  }
+  const Sentence left("{}: its layers broke the mesh, and it is meshed without them: {}",
+                      patch_name(faces_), fault);
+  const Sentence lost("{}: its layers broke the mesh: {}", patch_name(faces_), fault);
+  record_.complain(Severity::kError, meshed() ? "layers-broken" : "face-not-meshed",
+                   meshed() ? left : lost);
+  return stage_ == Stage::kGrown;
 }
 
 void PatchJob::tell_of_crossings(int crossing) {

@@ -38,6 +38,8 @@ class PatchJob {
   void measure(const RunContext& context);
 
   bool meshed() const { return stage_ > Stage::kUnmeshed; }
+  // Of a patch of several faces that is not meshed: those without which it may be.
+  const std::vector<FaceId>& failed_faces() const { return failed_; }
   // Meshed to the end: the stages above pass it over from then on.
   bool finished() const { return stage_ == Stage::kFinished; }
   // Patches of a run are numbered in order; the others may have changed.
@@ -74,6 +76,10 @@ class PatchJob {
     kFinished    // the core, too
   };
 
+  void make_triangles(const RunContext& context, const Discretization& boundary,
+                      std::vector<EdgeId>& coarse);
+  bool mend_without_layers(const RunContext& context, const std::string& fault,
+                           const Discretization& boundary);
   bool fill_in_rows(const Discretization& boundary);
   void end_layers();
   void tell_of_crossings(int crossing);
@@ -93,7 +99,7 @@ class PatchJob {
   std::unique_ptr<PatchLayers> layers_;
   std::optional<FourSides> strip_;  // of plan(): too narrow for layers
   std::vector<FaceId> face_of_;     // by FaceH, of a finished patch of several faces
-  std::vector<FaceId> strained_;
+  std::vector<FaceId> strained_, failed_;
   std::vector<StopRecord> stops_;
 };
 

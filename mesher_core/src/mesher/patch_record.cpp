@@ -4,12 +4,16 @@
 #include <utility>
 
 #include "measure/element_measures.h"
+#include "measure/mesh_flaws.h"
 #include "mend/inversion.h"
 #include "mesher/triangle_cause.h"
 #include "mesher/wall_shortfalls.h"
 
 namespace advlayers {
 namespace {
+
+// Nodes nearer to each other than this part of the model are one for whatever reads the mesh.
+constexpr double kSamePlace = 1e-10;
 
 template <class Id, std::size_t kCount>
 void add_named(const std::array<int, kCount>& counts, const std::array<Named<Id>, kCount>& names,
@@ -64,6 +68,7 @@ void PatchRecord::measure(const RunContext& context, const MeshOfPatch& of,
                           std::vector<WallReport> walls) {
   count_elements(context, of);
   judge_inverted(of);
+  judge_flaws(of);
   judge_walls(std::move(walls));
 }
 
@@ -118,6 +123,26 @@ void PatchRecord::judge_inverted(const MeshOfPatch& of) {
                       elements.size()));
     diagnostics_.back().point = centroid(corners_of(of.mesh, elements.front()));
   }
+}
+
+// What a solver could not use.
+void PatchRecord::judge_flaws(const MeshOfPatch& of) {
+  const MeshFlaws flaws = find_mesh_flaws(of.mesh, kSamePlace * of.surface.model().diagonal());
+  const auto tell = [&](const char* code, Severity severity, const std::vector<FaceH>& elements,
+                        const Sentence& said) {
+    if (elements.empty()) return;
+    complain(severity, code, said.about(face_name(of.face_of(elements.front())), elements.size()));
+    diagnostics_.back().point = centroid(corners_of(of.mesh, elements.front()));
+  };
+  tell("zero-areas", Severity::kError, flaws.flat, Sentence("{}: {} elements have no area"));
+  tell("needles", Severity::kWarning, flaws.needles,
+       Sentence("{}: {} elements have an angle below 0.1 degrees"));
+  if (flaws.coincident.empty()) return;
+  const VertexH first = flaws.coincident.front();
+  complain(Severity::kError, "coincident-nodes",
+           Sentence("{}: {} nodes lie in the place of another one",
+                    face_name(of.mesh.data(first).point.face), flaws.coincident.size()));
+  diagnostics_.back().point = of.mesh.position(first);
 }
 
 }  // namespace advlayers

@@ -37,6 +37,18 @@ void note(std::vector<SmallPart> parts, const char* code, const Sentence& all, c
   diagnostics.push_back(std::move(diagnostic));
 }
 
+// Edges that bound no face any more, as each is one point.
+std::vector<SmallPart> below_tolerance(const Model& model) {
+  std::vector<SmallPart> parts;
+  for (std::size_t e = 0; e < model.edges().size(); ++e) {
+    const Edge& edge = model.edges()[e];
+    if (edge.degenerate && edge.length > 0.0 && edge.faces.empty()) {
+      parts.push_back({edge.length, edge_name(EdgeId(e))});
+    }
+  }
+  return parts;
+}
+
 }  // namespace
 
 double width_of(const Model& model, FaceId face) {
@@ -70,6 +82,10 @@ void note_small_parts(const Model& model, const Settings& settings,
   note(std::move(brief), "tiny-edges",
        Sentence("shorter than a tenth of the size, and the mesh edges with them: {}"),
        Sentence("shorter than a tenth of the size, and the mesh edges with them: {} and {} more"),
+       diagnostics);
+  note(below_tolerance(model), "below-tolerance",
+       Sentence("shorter than the tolerance about them, and one point in the mesh: {}"),
+       Sentence("shorter than the tolerance about them, and one point in the mesh: {} and {} more"),
        diagnostics);
   note(std::move(narrow), "sliver-faces",
        Sentence("narrower than a tenth of the size, and their elements with them: {}"),

@@ -28,6 +28,9 @@ void check_height(const std::string& name, double value, const Model& model,
                value, where);
 }
 
+// Edges with a length that are degenerate are too short for anything, but no fault of the user's.
+bool is_pole(const Edge& edge) { return edge.degenerate && !(edge.length > 0.0); }
+
 void check_edge(EdgeId e, const Model& model, const char* list) {
   if (e.value >= 0 && e.index() < model.edges().size()) return;
   throw InvalidInput("{}: there is no {}, edges of the model: {}", list, edge_name(e),
@@ -48,7 +51,7 @@ void check_wall(const WallSpec& wall, const Model& model) {
       throw InvalidInput("{}: {} needs an edge with two ends, {} is closed", "walls", "end_height",
                          edge_name(e));
     }
-    if (!model.edge(e).degenerate) continue;
+    if (!is_pole(model.edge(e))) continue;
     throw InvalidInput("{}: {} is a pole without length, nothing grows there", "walls",
                        edge_name(e));
   }
@@ -165,7 +168,7 @@ void check_patch_edges(const Settings& settings, const Model& model) {
   const FeatureRule rule = feature_rule(settings);
   for (const EdgeId e : rule.boundary) {
     check_edge(e, model, "boundary");
-    if (model.edge(e).degenerate) {
+    if (is_pole(model.edge(e))) {
       throw InvalidInput("{}: {} is a pole without length", "boundary", edge_name(e));
     }
     if (std::binary_search(rule.smooth.begin(), rule.smooth.end(), e)) {

@@ -103,7 +103,28 @@ class SheetBuilder {
     return angle;
   }
 
+  // Where the boundary runs back along an edge that has the same nodes as the one it came by, it
+  // encloses nothing.
+  void cut_spikes() {
+    const auto is_spike = [this](std::size_t i) {
+      const Start &before = ring_[(i + ring_.size() - 1) % ring_.size()], &at = ring_[i];
+      const bool pole = before.coedge->degenerate || at.coedge->degenerate;
+      return !pole && before.coedge->edge != at.coedge->edge &&
+             before.node == ring_[(i + 1) % ring_.size()].node;
+    };
+    for (std::size_t i = 0; i < ring_.size() && ring_.size() > 1;) {
+      if (!is_spike(i)) {
+        ++i;
+        continue;
+      }
+      ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(i));
+      ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(i > 0 ? i - 1 : ring_.size() - 1));
+      i = i > 1 ? i - 2 : 0;
+    }
+  }
+
   void close_ring() {
+    cut_spikes();
     const std::size_t count = ring_.size();
     std::vector<int> index(count);
     for (std::size_t k = 0; k < count; ++k) {

@@ -30,7 +30,7 @@ struct FaceSheet {
 };
 
 // `inner` holds the sorted edges inside the patch. Throws GeometryError naming the face where it
-// has a defect.
+// has a defect. No segment where its sides have the same nodes all along.
 FaceSheet lay_out_face(Evaluator& evaluator, const Discretization& boundary, FaceId face,
                        const std::vector<EdgeId>& inner);
 

@@ -134,22 +134,85 @@ class BoundaryTriangulation {
   std::vector<EdgeId> coarse_;
 };
 
+struct BoundarySheet {
+  FaceSheet sheet;
+  PlanarTriangulation mesh;
+};
+
+// The faces of a patch that cannot be triangulated, and why the first of them cannot.
+class Failures {
+ public:
+  explicit Failures(std::size_t faces) : alone_(faces == 1) {}
+
+  template <class Work>
+  void run(FaceId face, const Work& work) {
+    if (alone_) return work();
+    try {
+      work();
+    } catch (const BoundaryTooCoarse& error) {
+      add(face, error.sentence());
+      edges_.insert(edges_.end(), error.edges().begin(), error.edges().end());
+    } catch (const GeometryError& error) {
+      add(face, error.sentence());
+    }
+  }
+
+  void add(FaceId face, const Sentence& why) {
+    if (faces_.empty()) why_ = why;
+    faces_.push_back(face);
+  }
+
+  void check() {
+    if (faces_.empty()) return;
+    sort_unique(edges_);
+    throw FacesNotTriangulated(why_, std::move(faces_), std::move(edges_));
+  }
+
+ private:
+  bool alone_;
+  Sentence why_;
+  std::vector<FaceId> faces_;
+  std::vector<EdgeId> edges_;
+};
+
+std::vector<BoundarySheet> bound_faces(const RunContext& context, const PatchSurface& surface,
+                                       Evaluator& evaluator, const Discretization& boundary,
+                                       const std::vector<EdgeId>& inner) {
+  std::vector<BoundarySheet> bounded;
+  Failures failures(surface.faces().size());
+  for (const FaceId face : surface.faces()) {
+    failures.run(face, [&] {
+      FaceSheet sheet = lay_out_face(evaluator, boundary, face, inner);
+      if (sheet.segments.empty()) {
+        if (surface.faces().size() == 1) return;
+        failures.add(face, Sentence("{}: its sides are one line", face_name(face)));
+        return;
+      }
+      PlanarTriangulation planar = BoundaryTriangulation(context, sheet).run();
+      bounded.push_back({std::move(sheet), std::move(planar)});
+    });
+  }
+  failures.check();
+  return bounded;
+}
+
 }  // namespace
 
 Triangulation triangulate(const RunContext& context, PatchSurface& surface, Evaluator& evaluator,
                           const Discretization& boundary, const Settings& settings) {
   const std::vector<EdgeId> inner = inner_edges(evaluator, surface.faces(), feature_rule(settings));
+  std::vector<BoundarySheet> bounded = bound_faces(context, surface, evaluator, boundary, inner);
   std::vector<LiftedTriangulation> sheets;
   const InitialNodes* initial = settings.initial_nodes.get();
   const std::vector<SurfacePoint> none;
   Triangulation result;
-  for (const FaceId face : surface.faces()) {
-    FaceSheet sheet = lay_out_face(evaluator, boundary, face, inner);
-    PlanarTriangulation planar = BoundaryTriangulation(context, sheet).run();
-    sheets.emplace_back(std::move(sheet), std::move(planar), evaluator,
+  if (bounded.empty()) return result;
+  for (BoundarySheet& face : bounded) {
+    const FaceId id = face.sheet.face;
+    sheets.emplace_back(std::move(face.sheet), std::move(face.mesh), evaluator,
                         TargetSize(evaluator, settings));
     result.initial_nodes +=
-        fill_sheet(context, sheets.back(), initial == nullptr ? none : initial->on(face));
+        fill_sheet(context, sheets.back(), initial == nullptr ? none : initial->on(id));
   }
   GluedMesh glued = glue_sheets(context, sheets, boundary);
   sheets.clear();

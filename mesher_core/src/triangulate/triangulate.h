@@ -40,10 +40,28 @@ class BoundaryTooCoarse : public GeometryError {
   std::vector<EdgeId> edges_;
 };
 
+// Some of the patch's several faces cannot be triangulated; without them the others may be.
+class FacesNotTriangulated : public GeometryError {
+ public:
+  FacesNotTriangulated(Sentence sentence, std::vector<FaceId> faces,
+                       std::vector<EdgeId> coarse_edges)
+      : GeometryError(std::move(sentence)),
+        faces_(std::move(faces)),
+        edges_(std::move(coarse_edges)) {}
+  const std::vector<FaceId>& faces() const { return faces_; }
+  // Those that are too coarse for some of the faces; sorted.
+  const std::vector<EdgeId>& edges() const { return edges_; }
+
+ private:
+  std::vector<FaceId> faces_;
+  std::vector<EdgeId> edges_;
+};
+
 // With an initial mesh its nodes inside the faces become vertices where they lie, as far as there
 // is room; what is too coarse is refined, and what is poor moved, as anywhere.
+// A face whose sides are one line in the boundary holds nothing: alone it gives an empty mesh.
 // Throws BoundaryTooCoarse naming face and edges, and GeometryError naming the face where no valid
-// triangulation is found for another reason.
+// triangulation is found for another reason; for a patch of several faces FacesNotTriangulated.
 Triangulation triangulate(const RunContext& context, PatchSurface& surface, Evaluator& evaluator,
                           const Discretization& boundary, const Settings& settings);
 
