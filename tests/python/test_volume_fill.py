@@ -115,7 +115,7 @@ def test_cells_without_volume_are_refused():
 
 @pytest.mark.skipif(not gmsh(), reason="needs Gmsh")
 def test_too_many_slivers_are_refused():
-    parts = surface("box", first_height=0.05, layers=4)
+    parts = surface("box", first_height=0.15, layers=3)
     with pytest.raises(InputError, match="have an angle below 5 degrees"):
         VolumeFill(2.0, "gmsh", most_slivers=0.0).fill(parts, [], "box")
 
