@@ -9,7 +9,7 @@ from advlayers.sentence import Sentence
 
 KEYS = ("max_elements", "max_memory", "max_seconds")
 # Where nothing is said: what people wait for, on the machine that it is.
-_ELEMENTS, _SECONDS = 10_000_000, 600.0
+_ELEMENTS, _SECONDS = 2_000_000, 600.0
 _PART_OF_MEMORY = 0.8
 _MANY = 200_000  # elements that are told before they are made
 

@@ -99,7 +99,7 @@ OWN_SETTINGS = (
     ),
     Setting(
         "max_elements", "number", 0.0,
-        "A mesh that is estimated to have more elements is refused before it is begun; 0: ten "
+        "A mesh that is estimated to have more elements is refused before it is begun; 0: two "
         "million.",
         low=0.0, group="Run", decimals=0,
     ),

@@ -2371,8 +2371,8 @@
         <translation>2 setzt einen Knoten in die Mitte jeder Netzkante, auf der Form.</translation>
     </message>
     <message>
-        <source>A mesh that is estimated to have more elements is refused before it is begun; 0: ten million.</source>
-        <translation>Ein Netz, das nach der Schätzung mehr Elemente hat, wird abgelehnt, ehe es begonnen wird; 0: zehn Millionen.</translation>
+        <source>A mesh that is estimated to have more elements is refused before it is begun; 0: two million.</source>
+        <translation>Ein Netz, das nach der Schätzung mehr Elemente hat, wird abgelehnt, ehe es begonnen wird; 0: zwei Millionen.</translation>
     </message>
     <message>
         <source>A mesh that is estimated to take more megabytes is refused before it is begun; 0: four fifths of the machine's memory.</source>

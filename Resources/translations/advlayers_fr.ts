@@ -2371,8 +2371,8 @@
         <translation>2 met un nœud au milieu de chaque arête du maillage, sur la forme.</translation>
     </message>
     <message>
-        <source>A mesh that is estimated to have more elements is refused before it is begun; 0: ten million.</source>
-        <translation>Un maillage qui aurait, d’après l’estimation, plus d’éléments est refusé avant d’être commencé ; 0 : dix millions.</translation>
+        <source>A mesh that is estimated to have more elements is refused before it is begun; 0: two million.</source>
+        <translation>Un maillage qui aurait, d’après l’estimation, plus d’éléments est refusé avant d’être commencé ; 0 : deux millions.</translation>
     </message>
     <message>
         <source>A mesh that is estimated to take more megabytes is refused before it is begun; 0: four fifths of the machine's memory.</source>

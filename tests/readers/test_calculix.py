@@ -80,7 +80,7 @@ def peak(parts, folder):
 
 
 @pytest.mark.parametrize("settings, most_nodes, error", [
-    ((2.5, 0.3, 1.4, 5, 18.0), 230, 0.005),
+    ((2.7, 0.3, 1.4, 5, 18.0), 230, 0.005),
     ((1.5, 0.1, 1.4, 8, 6.0), 850, 0.001),
 ])
 def test_stress_at_a_hole(settings, most_nodes, error, tmp_path):

@@ -77,11 +77,13 @@ Nall, 3, 3
 RF
 *END STEP
 """)
-    # Between the stiffness of the plate without the hole and half of it.
+    # Between half the stiffness of the plate without the hole and that: held in its plane to all
+    # sides (E times 1.35 at a Poisson's ratio of 0.3) with the membranes, whose knots ccx stiffens.
     size = np.ptp(parts.nodes, axis=0)
     whole = 210000.0 * 0.5 * size[1] * abs(pull) / size[0]
     force = abs(total_force(text, ends[0].upper())[0])
-    assert 0.5 * whole < force < (1.2 if elements == "plane strain" else 1.05) * whole
+    most = {"plane strain": 1.2, "membrane": 1.35}.get(elements, 1.05)
+    assert 0.5 * whole < force < most * whole
 
 
 def held(parts, loaded):
