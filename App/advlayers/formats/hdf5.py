@@ -2,20 +2,21 @@
 from __future__ import annotations
 
 import contextlib
-import errno
 from typing import Any, Iterator
 
 
 @contextlib.contextmanager
 def open_new(path: str) -> Iterator[Any]:
-    """A file to fill. Raises OSError where it cannot be written whole."""
+    """A file to fill: in memory, and written at once in the end. On a full disk the library itself
+    ends the whole program. Raises OSError."""
     import h5py
 
-    try:
-        with h5py.File(path, "w", track_order=True) as file:
-            yield file
-    except RuntimeError as error:  # h5py's word for a full disk when the file is closed
-        raise OSError(errno.EIO, f"it could not be written whole: {error}", path) from error
+    with h5py.File(path, "w", driver="core", backing_store=False, track_order=True) as file:
+        yield file
+        file.flush()
+        image = file.id.get_file_image()
+    with open(path, "wb") as written:
+        written.write(image)
 
 
 def folder(parent, name):
