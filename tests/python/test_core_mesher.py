@@ -128,7 +128,7 @@ def test_ctrl_c_interrupts():
     time.sleep(0.3)
     child.send_signal(signal.SIGINT)
     _, errors = child.communicate(timeout=60)
-    assert b"KeyboardInterrupt" in errors
+    assert b"KeyboardInterrupt" in errors, child.returncode
 
 
 def test_walls_may_be_chosen():
