@@ -110,10 +110,9 @@ std::string edge_name(EdgeId e);  // "Edge7"
 // Throws InvalidInput if the text is no BREP, GeometryError if it holds no face, and Cancelled.
 Model read_brep(const RunContext& context, const std::string& text, double sew_tolerance = 0.0);
 
-// Reads .step .stp .iges .igs .brep .brp .stl by the ending, in any case; lengths come out in mm. Sews
-// as read_brep() does.
-// Throws InvalidInput for a missing or unreadable file, GeometryError if it holds no face, and
-// Cancelled.
+// Reads .step .stp .iges .igs .brep .brp .stl by the ending, in any case; lengths come out in mm.
+// Sews as read_brep() does. Throws InvalidInput for a missing or unreadable file, GeometryError if
+// it holds no face, and Cancelled.
 Model read_file(const RunContext& context, const std::string& path, double sew_tolerance = 0.0);
 
 }  // namespace advlayers

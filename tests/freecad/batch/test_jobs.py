@@ -202,7 +202,8 @@ def test_ctrl_c(batch, job, tmp_path):
     """Stops a run that would take long, leaves nothing behind."""
     host = HOSTS["freecadcmd" if batch.freecad else "python"]
     path = job(input="box.step", size=0.02, first_height=0.01, growth=1.01,
-               max_elements=10**9, max_seconds=1e6, max_memory=1e6, outputs=["box.vtu"], report="r.json")
+               max_elements=10**9, max_seconds=1e6, max_memory=1e6,
+               outputs=["box.vtu"], report="r.json")
     process = subprocess.Popen(host + [path], stdin=subprocess.DEVNULL, text=True,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     for line in process.stdout:
