@@ -27,8 +27,10 @@ def model(name):
 
 
 def mesher(name, **settings):
-    return core.Mesher(model(name), core.Settings(**{"size": 1.0, "first_height": 0.1,
-                                                     **settings}))
+    """Of few elements, and each face a patch of its own, unless the settings say otherwise."""
+    return core.Mesher(model(name), core.Settings(**{
+        "size": 1.0, "first_height": 0.1, "feature_angle": 0.0, "curvature_angle": 20.0,
+        **settings}))
 
 
 def mesh(name, **settings):

@@ -16,6 +16,11 @@ class Model;
 struct InitialMesh;
 
 enum class CoreElements { kQuads, kTriangles };
+// What is to become of boundary edges that a list of walls leaves out: layers run along those that
+// meet a wall, nothing happens at them, or they are walls by the mesh's own values.
+enum class OtherEdges { kMatch, kOff, kWall };
+// How segments between given ends grow.
+enum class Distribution { kTanh, kGeometric, kConstant };
 enum class EndOfGrowth { kFrontsClose, kLayers, kIsotropic };
 
 // Layers from the listed edges, with their own spacing where given.
@@ -28,6 +33,8 @@ struct WallSpec {
   std::optional<double> aspect_ratio{};   // first height: local segment / aspect_ratio
   std::optional<double> turning_angle{};  // [deg] first height: turning_angle / curvature
   std::optional<double> thickness{};      // [mm] of all layers together
+  // Of all layers together, over the size of the edge where it is least.
+  std::optional<double> thickness_share{};
 };
 
 // An edge length, or a number of segments, for some edges and faces.
@@ -38,13 +45,32 @@ struct SizeSpec {
   std::optional<int> segments;    // along each of the edges
   std::optional<double> cluster;  // last segment of an edge / its first one, in geometric steps
   bool both_ends = false;         // clustered towards both: the ratio is that of middle to ends
+  std::optional<double> first_segment{};            // [mm] at the first vertex of each edge
+  std::optional<double> last_segment{};             // [mm] at its last one
+  Distribution distribution = Distribution::kTanh;  // between them
+  std::optional<double> distance{};  // [mm] within which the size holds on other faces, too
 };
 
-// Finer about a point.
+// Finer about a point, a line or in a box.
 struct Refinement {
   Vec3 point = Vec3::Zero();
-  double size = 0.0;    // [mm] within `radius` of the point; grows by size_growth from there
-  double radius = 0.0;  // [mm]
+  double size = 0.0;             // [mm] within `radius` of it; grows by size_growth from there
+  double radius = 0.0;           // [mm]
+  std::optional<Vec3> end{};     // the line from `point` to here
+  std::optional<Vec3> corner{};  // the box between `point` and here, along the axes
+
+  double distance(const Vec3& p) const;  // [mm] of the point, the line or the box
+};
+
+// Edges or faces that are cut and meshed alike: `found` as `given`, moved by a rotation about the
+// axis and then by the translation.
+struct PeriodicSpec {
+  std::vector<EdgeId> given_edges, found_edges;
+  std::vector<FaceId> given_faces, found_faces;
+  Vec3 translation = Vec3::Zero();  // [mm]
+  Vec3 axis_point = Vec3::Zero();   // [mm]
+  Vec3 axis = Vec3::UnitZ();
+  double angle = 0.0;  // [deg]
 };
 
 struct Settings {
@@ -53,20 +79,32 @@ struct Settings {
   double growth = 1.2;
   EndOfGrowth end = EndOfGrowth::kFrontsClose;
   int layers = 0;                 // for EndOfGrowth::kLayers
-  double feature_angle = 0.0;     // [deg]; 0: every CAD face is a patch of its own
-  double curvature_angle = 20.0;  // [deg] an edge segment or triangle side may turn
+  double feature_angle = 15.0;    // [deg]; 0: every CAD face is a patch of its own
+  double curvature_angle = 10.0;  // [deg] an edge segment or triangle side may turn
   double size_growth = 1.4;       // neighbouring edges differ by no more through size alone
+  int cells_across = 0;           // elements over the extent of each face at least; 0: any
+  int gap_cells = 1;              // elements across a gap at least
+  double fan_angle = 20.0;        // [deg] between the kids of a convex corner
+  int straight_layers = 5;        // first ones that neither thinning nor smoothing changes
+  int most_layers = 0;            // for EndOfGrowth::kIsotropic; 0: any
+  int full_layers = 0;            // first ones that isotropy does not end
+  double min_size = 0.0;          // [mm] curvature asks for no less
+  double chord_deviation = 0.0;   // [mm] of a mesh edge from its curve or surface; 0: any
+  double relative_chord = 0.0;    // the same over the edge's length; 0: any
   std::vector<SizeSpec> sizes;
   std::vector<Refinement> refinements;
   CoreElements core = CoreElements::kQuads;
   int order = 1;  // 2: with a node in the middle of each mesh edge, on the exact CAD
   bool walls_all = true;
   std::vector<WallSpec> walls;
+  OtherEdges others = OtherEdges::kMatch;
   std::vector<EdgeId> match_edges, off_edges;
   std::vector<EdgeId> boundary_edges;  // bound their faces' patches, however smooth they are
   std::vector<EdgeId> smooth_edges;    // lie inside a patch, however sharp they are
   std::vector<FaceId> faces;           // empty: all
-  int threads = 0;                     // 0: as many as there are
+  std::vector<FaceId> mapped_faces;    // filled with rows and columns from side to side
+  std::vector<PeriodicSpec> periodic;
+  int threads = 0;  // 0: as many as there are
   // A triangulation of the shape to start from, or none, and where Mesher found its nodes to lie.
   std::shared_ptr<const InitialMesh> initial_mesh{};
   std::shared_ptr<const InitialNodes> initial_nodes{};

@@ -29,6 +29,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 
 namespace advlayers {
@@ -37,7 +38,7 @@ namespace {
 using test::model_of;
 
 Settings settings_of(double size, double curvature_angle = 20.0) {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = size;
   settings.first_height = 0.01 * size;
   settings.curvature_angle = curvature_angle;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "boundary/discretization.h"
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 
 namespace advlayers::test {
@@ -21,7 +22,7 @@ Model polygon(std::initializer_list<gp_Pnt> corners) {
 }
 
 Settings settings_of(double size) {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = size;
   settings.first_height = 0.1 * size;
   return settings;

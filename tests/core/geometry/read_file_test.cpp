@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "boundary/discretization.h"
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 
 namespace advlayers {
@@ -186,7 +187,7 @@ TEST(ModelFiles, AreReadWholeAndCutSoundly) {
     const std::string name = entry.path().filename().string();
     const Model model = read_file(RunContext(), entry.path().string());
     Evaluator evaluator(model);
-    Settings settings;
+    Settings settings = test::coarse_settings();
     settings.size = 0.05 * model.diagonal();
     settings.first_height = 0.1 * settings.size;
     const Discretization cut = discretize(RunContext(), evaluator, settings);

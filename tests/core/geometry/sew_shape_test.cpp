@@ -14,6 +14,7 @@
 
 #include <algorithm>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "mesher/mesh_of.h"
 
@@ -48,7 +49,7 @@ TopoDS_Shape rectangle(double x0, double y0, double x1, double y1) {
 }
 
 Settings settings_of(double size) {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = size;
   settings.first_height = size / 5;
   return settings;

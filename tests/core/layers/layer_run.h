@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "layers/patch_layers.h"
 #include "mesh/validate.h"
@@ -67,7 +68,7 @@ class LayerRun {
   Model model;
   Evaluator evaluator;
   PatchSurface surface;
-  Settings settings;
+  Settings settings = test::coarse_settings();
   RunContext context;
   SurfaceMesh mesh;
   WallPlan walls;

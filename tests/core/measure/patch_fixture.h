@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "measure/element_measures.h"
 #include "mesh/validate.h"
@@ -26,7 +27,7 @@ struct TriangulatedFace {
   Model model;
   Evaluator evaluator;
   PatchSurface surface;
-  Settings settings;
+  Settings settings = test::coarse_settings();
   RunContext context;
   Discretization boundary;
   SurfaceMesh mesh;

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "boundary/discretization.h"
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "mesher/mesh_of.h"
 
@@ -63,7 +64,7 @@ class Blade : public testing::TestWithParam<double> {
     settings.growth = 1.2;
   }
   const Model model;
-  Settings settings;
+  Settings settings = test::coarse_settings();
 };
 
 TEST_P(Blade, KeepsTheWayAroundItsLeadingEdgeClear) {

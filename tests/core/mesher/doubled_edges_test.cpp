@@ -4,6 +4,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <gp_Ax2.hxx>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "mesher/mesh_of.h"
 
@@ -16,7 +17,7 @@ TEST_P(CoarseLens, IsWatertight) {
   const gp_Ax2 axis(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
   const Model model = model_of(BRepPrimAPI_MakeSphere(axis, 10, 70 * M_PI / 180, M_PI / 2).Shape());
   ASSERT_TRUE(model.closed());
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.curvature_angle = 60.0;
   settings.core = GetParam();
   for (const double size : {3.5, 4.5, 6.0, 8.0}) {

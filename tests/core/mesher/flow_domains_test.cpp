@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "layers/layer_shapes.h"
 #include "mesher/mesh_of.h"
@@ -61,7 +62,7 @@ Model domain(const std::vector<TopoDS_Wire>& airfoils) {
 
 // Layers on the airfoils alone.
 Settings flow(const Model& model, double first_height, double growth) {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 5.0;
   settings.size_growth = 1.25;
   settings.curvature_angle = 10.0;
@@ -194,7 +195,7 @@ TEST(HighLift, LayersEndInTheGapsThatAreTooNarrow) {
 // Where the first layer is higher than the gap, no wall is left without a word.
 TEST(Gaps, NarrowerThanALayerAreNamed) {
   const Model model = model_of(rectangle(10, 0.3));
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 0.5;
   settings.first_height = 0.25;
   settings.end = EndOfGrowth::kLayers;
@@ -208,7 +209,7 @@ TEST(Gaps, NarrowerThanALayerAreNamed) {
 
 TEST(Gaps, HeightsThatDoNotFitTheSizeAreNamed) {
   const Model model = model_of(rectangle(10, 10));
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 3.0;
   const MeshResult mesh = mesh_of(model, settings);
@@ -225,7 +226,7 @@ TEST(Circle, EveryCellOfEveryLayerStays) {
   BRepBuilderAPI_MakeFace face(gp_Pln(), outline_wire({{-5, -5}, {15, -5}, {15, 5}, {-5, 5}}));
   face.Add(TopoDS::Wire(circle_wire(0, 0, 0.5).Reversed()));
   const Model model = model_of(face.Face());
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 0.4;
   settings.curvature_angle = 5.0;
   settings.first_height = 0.0005;
@@ -258,7 +259,7 @@ TEST(Washers, EveryHoleHasItsRings) {
     face.Add(TopoDS::Wire(hole.Reversed()));
   }
   const Model model = model_of(face.Face());
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 2.0;
   settings.first_height = 0.6;
   settings.growth = 1.1;

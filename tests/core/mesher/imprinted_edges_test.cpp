@@ -8,6 +8,7 @@
 
 #include <set>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "mesher/mesh_of.h"
 
@@ -32,7 +33,7 @@ TopoDS_Shape line(const gp_Pnt& from, const gp_Pnt& to) {
 }
 
 Settings ten_layers() {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 0.5;
   settings.first_height = 0.05;
   settings.growth = 1.15;

@@ -7,6 +7,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <gp_Trsf.hxx>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "mesher/mesh_of.h"
 
@@ -39,7 +40,7 @@ TEST_P(Invariance, ElementsStayAndNodesFollow) {
        {MovedShape{"drilled box", drilled_box(), 0.7},
         MovedShape{"frustum", BRepPrimAPI_MakeCone(4, 2, 5).Shape(), 0.6}}) {
     SCOPED_TRACE(name);
-    Settings settings;
+    Settings settings = test::coarse_settings();
     settings.size = size;
     settings.first_height = 0.1 * size;
     const MeshResult here = mesh_of(model_of(shape), settings);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "layers/layer_shapes.h"
 #include "mesher/mesh_of.h"
@@ -28,7 +29,7 @@ struct Shape {
 };
 
 Settings walls_of(const Model& model, std::initializer_list<std::size_t> sides, double height) {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 0.5;
   settings.first_height = height;
   settings.growth = 1.25;
@@ -104,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Of, FourSided,
 TEST(MatchEdges, OfABoxAreSharedWhateverWallIsChosen) {
   const Model model = model_of(BRepPrimAPI_MakeBox(4, 5, 6).Shape());
   for (std::size_t e = 0; e < 12; ++e) {
-    Settings settings;
+    Settings settings = test::coarse_settings();
     settings.size = 0.8;
     settings.first_height = 0.02;
     settings.growth = 1.3;
@@ -133,7 +134,7 @@ TEST(MatchEdges, TwoHeightsOnOneEdgeAreReported) {
     const bool touches = edge.start == corner || edge.end == corner;
     if (touches && EdgeId(e) != shared && EdgeId(e) != first) second = EdgeId(e);
   }
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 0.8;
   settings.first_height = 0.02;
   settings.walls_all = false;

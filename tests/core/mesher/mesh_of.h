@@ -7,13 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "coarse_settings.h"
 #include "mesher/mesher.h"
 
 namespace advlayers::test {
 
 // Layers from a tenth of the size on.
 inline Settings settings_of(double size) {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = size;
   settings.first_height = size / 10;
   return settings;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <set>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "mesher/mesh_of.h"
 
@@ -51,7 +52,7 @@ class SmallDisc : public testing::Test {
 
   static constexpr double kHeights[] = {0.05, 0.175, 0.3};
   const Model model;
-  Settings settings;
+  Settings settings = test::coarse_settings();
 };
 
 TEST_F(SmallDisc, HoldsElementsAsItIsPartedWhereNeeded) {
@@ -113,7 +114,7 @@ TEST_F(SmallDisc, StaysInThePatchWhereItsEdgeIsCalledSmooth) {
 TEST(NarrowFillet, TurnsNoTriangleOver) {
   for (const double radius : {0.006, 0.01, 0.02}) {
     SCOPED_TRACE(radius);
-    Settings settings;
+    Settings settings = test::coarse_settings();
     settings.size = 0.6;
     settings.first_height = 0.05;
     settings.growth = 1.1;
@@ -127,7 +128,7 @@ TEST(NarrowFillet, TurnsNoTriangleOver) {
 // Layers of this size cannot run across it: it is as if every face were a patch of its own.
 TEST(NarrowFillet, IsNoSmoothSurfaceForElementsFarLarger) {
   const Model model = filleted_cylinder(2.6, 4, 0.02);
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 0.6;
   settings.first_height = 0.05;
   settings.growth = 1.1;

@@ -9,6 +9,7 @@
 
 #include <limits>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 
 namespace advlayers::test {
@@ -27,7 +28,7 @@ class BoxWalls : public testing::Test {
 
   Model model;
   Evaluator evaluator;
-  Settings settings;
+  Settings settings = test::coarse_settings();
 };
 
 TEST_F(BoxWalls, GrowFromEveryBoundaryEdgeByDefault) {
@@ -85,7 +86,7 @@ TEST(PatchPlan, FacesThatMeetSmoothlyAreOnePatch) {
   round.Add(1.0, TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current()));
   const Model model = model_of(round.Shape());
   ASSERT_EQ(model.faces().size(), 7u);
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 0.1;
   settings.feature_angle = 20.0;
@@ -106,7 +107,7 @@ TEST(PatchPlan, FacesThatMeetSmoothlyAreOnePatch) {
 TEST(PatchPlan, ASeamIsNoWall) {
   const Model model = model_of(BRepPrimAPI_MakeCylinder(2, 5).Shape());
   Evaluator evaluator(model);
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 0.1;
   for (std::size_t i = 0; i < model.faces().size(); ++i) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "layers/layer_shapes.h"
 #include "mesher/mesh_of.h"
@@ -48,7 +49,7 @@ class Plate : public testing::Test {
   }
 
   Model model;
-  Settings settings;
+  Settings settings = test::coarse_settings();
 };
 
 TEST_F(Plate, EdgeTakesItsOwnSize) {
@@ -136,7 +137,7 @@ TEST_F(Plate, ReportsThicknessAndLayersAskedAndAchieved) {
 TEST(WallHeights, FollowAspectRatioAndCurvature) {
   const Model model = model_of(BRepPrimAPI_MakeCylinder(4, 9).Shape());
   for (const bool by_angle : {true, false}) {
-    Settings settings;
+    Settings settings = test::coarse_settings();
     settings.size = 0.6;
     settings.first_height = 0.05;
     settings.end = EndOfGrowth::kLayers;
@@ -163,7 +164,7 @@ TEST(WallHeights, FollowAspectRatioAndCurvature) {
 
 TEST(FaceSizes, HoldOnTheirFaceAlone) {
   const Model model = model_of(BRepPrimAPI_MakeBox(4, 5, 6).Shape());
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 0.8;
   settings.first_height = 0.05;
   settings.walls_all = false;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "layers/layer_shapes.h"
 #include "mesher/mesh_of.h"
@@ -31,7 +32,7 @@ TEST(SmallParts, StripsAreMeshedInOneRowAndNamed) {
       model_of(BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(10, 10, 4).Shape(),
                                 BRepPrimAPI_MakeBox(gp_Pnt(10, 0, 0), gp_Pnt(16, 10, 4.02)).Shape())
                    .Shape());
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 0.1;
   settings.end = EndOfGrowth::kLayers;
@@ -65,7 +66,7 @@ TEST(SmallParts, StripsAreMeshedInOneRowAndNamed) {
 }
 
 TEST(SmallParts, ThereAreNoneInAPlainShape) {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 0.1;
   const MeshResult mesh = mesh_of(model_of(rectangle(10, 6)), settings);

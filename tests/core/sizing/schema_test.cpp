@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "coarse_settings.h"
 #include "sizing/resolve_wall.h"
 
 namespace advlayers {
@@ -64,7 +65,7 @@ const WallSpec& plain() {
 }
 
 Settings job() {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 0.1;
   settings.growth = 2.0;

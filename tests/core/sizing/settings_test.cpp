@@ -10,13 +10,14 @@
 #include <utility>
 
 #include "base/error.h"
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 
 namespace advlayers {
 namespace {
 
 Settings good() {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 0.1;
   return settings;

@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "coarse_settings.h"
 
 namespace advlayers::test {
 namespace {
 
 Settings job() {
-  Settings settings;
+  Settings settings = test::coarse_settings();
   settings.size = 1.0;
   settings.first_height = 0.02;
   settings.growth = 1.25;

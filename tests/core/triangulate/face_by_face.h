@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "triangulate/cut_edges.h"
 #include "triangulate/mesh_properties.h"
@@ -47,7 +48,7 @@ struct FaceByFace {
 
   Model model;
   Evaluator evaluator;
-  Settings settings;
+  Settings settings = test::coarse_settings();
   Discretization cut;
 };
 

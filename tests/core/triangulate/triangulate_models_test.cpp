@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "boundary/halve_edges.h"
+#include "coarse_settings.h"
 #include "triangulate/mesh_properties.h"
 
 namespace advlayers {
@@ -37,7 +38,7 @@ TEST(TriangulateModels, EveryFaceBecomesAManifold) {
     SCOPED_TRACE(entry.path().filename().string());
     const Model model = read_file(RunContext(), entry.path().string());
     Evaluator evaluator(model);
-    Settings settings;
+    Settings settings = test::coarse_settings();
     settings.size = 0.02 * model.diagonal();
     settings.first_height = 0.1 * settings.size;
     Discretization cut = discretize(RunContext(), evaluator, settings);
