@@ -36,7 +36,7 @@ void PatchRecord::renumber(PatchId id) {
   for (Diagnostic& note : diagnostics_) note.patch = id;
 }
 
-void PatchRecord::complain(Severity severity, const char* code, Sentence sentence) {
+void PatchRecord::complain(Severity severity, std::string_view code, Sentence sentence) {
   Diagnostic diagnostic;
   diagnostic.severity = severity;
   diagnostic.code = code;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -33,7 +34,7 @@ class PatchRecord {
   const FigureCounts& counts() const { return counts_; }
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
-  void complain(Severity severity, const char* code, Sentence sentence);
+  void complain(Severity severity, std::string_view code, Sentence sentence);
   // Runs a stage of the patch; what it throws becomes a diagnostic, but for Cancelled and a lack of
   // memory, and the other patches go on. Returns whether it came to its end.
   template <class Stage>

@@ -2,6 +2,7 @@
 // jobs and for the window.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "base/sentence.h"
@@ -10,14 +11,13 @@
 namespace advlayers {
 
 struct Shortfall {
-  const char* code;  // of the diagnostic that says so
+  std::string_view code;  // of the diagnostic that says so
   Sentence sentence;
 };
 
-inline constexpr const char* kWithoutLayers = "wall-without-layers";
-inline constexpr const char* kShortOfLayers = "wall-short-of-layers";
-inline constexpr const char* kHeightMissed = "wall-height-missed";
-inline constexpr const char* kShortfallCodes[] = {kWithoutLayers, kShortOfLayers, kHeightMissed};
+inline constexpr std::string_view kWithoutLayers = "wall-without-layers";
+inline constexpr std::string_view kShortOfLayers = "wall-short-of-layers";
+inline constexpr std::string_view kHeightMissed = "wall-height-missed";
 
 std::vector<Shortfall> shortfalls_of(const WallReport& wall);
 
