@@ -19,7 +19,8 @@ def settings() -> Dict[str, Any]:
         key: kept.GetFloat(property_name(setting(key)), setting(key).default)
         for key in _FLOATS}
     found["layers"] = kept.GetInt("Layers", setting("layers").default)
-    if kept.GetBool("Isotropic", False):
+    # Most people's layers are to end where they are as high as wide; jobs say what they want.
+    if kept.GetBool("Isotropic", True):
         found["layers"] = "isotropic"
     found["core"] = setting("core").choices[kept.GetInt("Core", 0)]
     found["threads"] = kept.GetInt("Threads", setting("threads").default)

@@ -13,6 +13,7 @@ from advlayers.errors import InputError
 from advlayers.language import tr, tr_doc
 from advlayers.mesh_data import MeshData, Place
 from advlayers.mesh_properties import property_settings
+from advlayers.settings_table import setting
 from advlayers_gui import view_provider
 from advlayers_gui.control_table import ControlTable
 from advlayers_gui.field_scene import MARK_COLOUR, FieldScene, growing_pieces, markers
@@ -168,6 +169,7 @@ class MeshPanel(TaskPanel):
         layout.addWidget(faces)
         entries = {entry.key: entry for entry in property_settings()
                    if entry.key != "faces"}
+        layout.addWidget(self._presets())
         form = QtGui.QFormLayout()
         layout.addLayout(form)
         self._forms.append(SettingsForm(
@@ -175,7 +177,8 @@ class MeshPanel(TaskPanel):
             self._run.say))
         self._flow = FlowBox(lambda: self._object.Growth, self._use_height)
         layout.addWidget(self._flow.widget)
-        layout.addWidget(self._flag("GrowFromAll", tr("Layers from all edges")))
+        self._grow_from_all = self._flag("GrowFromAll", tr("Layers from all edges"))
+        layout.addWidget(self._grow_from_all)
         layout.addWidget(self._flag("AutoUpdate", tr("Update automatically")))
         layout.addWidget(self._advanced(entries.values()))
         layout.addStretch()
@@ -185,6 +188,34 @@ class MeshPanel(TaskPanel):
         self._object.FirstHeight = height
         for form in self._forms:
             form.load()
+        self._changed()
+
+    def _presets(self):
+        """A choice that is made at once, and not kept."""
+        box = QtGui.QComboBox()
+        box.setObjectName("AdvLayersPreset")
+        entry = setting("preset")
+        box.setToolTip(tr_doc(entry.doc))
+        box.addItems([tr("Preset…"), tr("CFD: layers from all sharp edges"), tr("FEM: no layers"),
+                      tr("Washers: rings about every hole")])
+        box.setMinimumContentsLength(8)
+        box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        box.activated.connect(
+            lambda index: self._apply_preset(entry.choices[index - 1]) if index else None)
+        return box
+
+    def _apply_preset(self, word: str) -> None:
+        try:
+            layer_mesh.apply_preset(self._object, word)
+        except InputError as error:
+            self._run.say(error.sentence.translated, wrong=True)
+            return
+        for form in self._forms:
+            form.load()
+        self._table.load()
+        self._grow_from_all.blockSignals(True)
+        self._grow_from_all.setChecked(self._object.GrowFromAll)
+        self._grow_from_all.blockSignals(False)
         self._changed()
 
     def _flag(self, name: str, text: str):

@@ -376,6 +376,10 @@
         <translation>Rand</translation>
     </message>
     <message>
+        <source>CFD: layers from all sharp edges</source>
+        <translation>CFD: Schichten von allen scharfen Kanten</translation>
+    </message>
+    <message>
         <source>CGNS</source>
         <translation>CGNS</translation>
     </message>
@@ -458,6 +462,10 @@
     <message>
         <source>Extrude</source>
         <translation>Extrudieren</translation>
+    </message>
+    <message>
+        <source>FEM: no layers</source>
+        <translation>FEM: keine Schichten</translation>
     </message>
     <message>
         <source>Face</source>
@@ -756,6 +764,10 @@
         <translation>Vorwahl</translation>
     </message>
     <message>
+        <source>Preset…</source>
+        <translation>Vorwahl …</translation>
+    </message>
+    <message>
         <source>Preview: {}</source>
         <translation>Vorschau: {}</translation>
     </message>
@@ -1022,6 +1034,10 @@
     <message>
         <source>Walls</source>
         <translation>Wände</translation>
+    </message>
+    <message>
+        <source>Washers: rings about every hole</source>
+        <translation>Scheiben: Ringe um jedes Loch</translation>
     </message>
     <message>
         <source>Wavefront</source>

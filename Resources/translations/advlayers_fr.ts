@@ -376,6 +376,10 @@
         <translation>Bord</translation>
     </message>
     <message>
+        <source>CFD: layers from all sharp edges</source>
+        <translation>CFD : couches depuis toutes les arêtes vives</translation>
+    </message>
+    <message>
         <source>CGNS</source>
         <translation>CGNS</translation>
     </message>
@@ -458,6 +462,10 @@
     <message>
         <source>Extrude</source>
         <translation>Extrusion</translation>
+    </message>
+    <message>
+        <source>FEM: no layers</source>
+        <translation>EF : aucune couche</translation>
     </message>
     <message>
         <source>Face</source>
@@ -756,6 +764,10 @@
         <translation>Préréglage</translation>
     </message>
     <message>
+        <source>Preset…</source>
+        <translation>Préréglage…</translation>
+    </message>
+    <message>
         <source>Preview: {}</source>
         <translation>Aperçu : {}</translation>
     </message>
@@ -1022,6 +1034,10 @@
     <message>
         <source>Walls</source>
         <translation>Parois</translation>
+    </message>
+    <message>
+        <source>Washers: rings about every hole</source>
+        <translation>Rondelles : anneaux autour de chaque trou</translation>
     </message>
     <message>
         <source>Wavefront</source>

@@ -115,6 +115,20 @@ def test_a_first_height_may_come_from_a_flow(opened):
     press_cancel()
 
 
+def test_a_preset_is_chosen_by_one_word(opened):
+    presets = child(QtGui.QComboBox, "AdvLayersPreset")
+    assert presets.toolTip()
+    presets.activated.emit(2)  # fem
+    assert not opened.GrowFromAll and opened.CurvatureAngle.Value == 10.0
+    assert not child(QtGui.QCheckBox, "AdvLayers_GrowFromAll").isChecked()
+    presets.activated.emit(1)  # cfd
+    assert opened.GrowFromAll and opened.Layers == "isotropic"
+    assert child(QtGui.QComboBox, "LayersEnd").currentIndex() == 1
+    presets.activated.emit(3)  # washers, on a box without holes
+    assert "holes" in status() and opened.GrowFromAll
+    press_cancel()
+
+
 def test_a_mesh_may_update_itself(opened, box):
     automatic = child(QtGui.QCheckBox, "AdvLayers_AutoUpdate")
     assert automatic.toolTip() and not automatic.isChecked()

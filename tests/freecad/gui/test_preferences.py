@@ -29,6 +29,7 @@ def test_the_page_stores_what_it_shows(kept):
         seen["growth"] = window.findChild(QtGui.QDoubleSpinBox, "growth").value()
         window.findChild(QtGui.QDoubleSpinBox, "growth").setValue(1.35)
         window.findChild(QtGui.QSpinBox, "layers").setValue(7)
+        window.findChild(QtGui.QCheckBox, "isotropic").setChecked(False)
         window.findChild(QtGui.QComboBox, "core").setCurrentIndex(1)
         window.findChild(QtGui.QCheckBox, "livePreview").setChecked(False)
         screenshot("preferences.png")
@@ -44,9 +45,8 @@ def test_the_page_stores_what_it_shows(kept):
 
 
 def test_a_new_mesh_follows_the_preferences(kept, box):
-    assert preferences.settings() == {}
+    assert preferences.settings() == {"layers": "isotropic"}
     kept.SetFloat("Growth", 1.35)
-    kept.SetBool("Isotropic", True)
     select((box, ""))
     run("LayerMesh")
     mesh = box.Document.getObject("LayerMesh")
