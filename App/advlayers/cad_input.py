@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any, Optional, Tuple
 
 from advlayers import child, document_file
+from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.freecad_versions import global_placement
 
@@ -61,8 +62,8 @@ def read(core, path: str, wanted: Optional[str], sew_tolerance: float = 0.0,
     try:
         if ending == _DOCUMENT:
             text, label, note = child.call(
-                "input", path, os.path.getsize(path),
-                lambda: _read_document(core, path, wanted, sew_tolerance))
+                "input", path, os.path.getsize(path), _read_document, path, wanted,
+                sew_tolerance)
         else:
             text = core.brep_of_file(path, sew_tolerance, context)
         return Cad(core.read_brep(text, sew_tolerance, context), text, label, note)
@@ -83,7 +84,7 @@ def global_shape(document_object):
     return shape
 
 
-def _read_document(core, path: str, wanted: Optional[str],
+def _read_document(path: str, wanted: Optional[str],
                    sew_tolerance: float) -> Tuple[str, str, str]:
     """BREP text, label and note; the text has made a model."""
     import FreeCAD
@@ -96,7 +97,7 @@ def _read_document(core, path: str, wanted: Optional[str],
         if shape.isNull() or not shape.Faces:
             raise InputError("input", "holds no face to mesh: {}", path)
         text = shape.exportBrepToString()
-        core.read_brep(text, sew_tolerance)
+        load_core().read_brep(text, sew_tolerance)
         return text, chosen.Label, note
     finally:
         FreeCAD.closeDocument(document.Name)

@@ -1,8 +1,11 @@
 """What may crash, or never end, in a process of its own: readers of other programs."""
 from __future__ import annotations
 
+import io
+import os
 import pickle
-from typing import Any, Callable
+import sys
+from typing import Any, Callable, List
 
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
@@ -12,26 +15,64 @@ _SECONDS, _SECONDS_PER_MEGABYTE = 20.0, 5.0
 _MEGABYTES, _MEGABYTES_PER_MEGABYTE = 1024.0, 300.0
 
 
-def call(key: str, path: str, size: int, act: Callable[[], Any]) -> Any:
-    """What act() returns in a copy of this process, or raises there: plain values that pickle takes
-    along. `size` [bytes] of the file sets the limits. Raises InputError about key and path where
-    the copy crashes, or passes them."""
+# A program started with -c runs these words; App and core need not be on its path.
+_BEGIN = "import sys; sys.path[:0] = {!r}; from advlayers import child; child.answer()"
+
+
+def call(key: str, path: str, size: int, act: Callable[..., Any], *given: Any) -> Any:
+    """What act(*given) returns in a Python of its own, or raises there: a function of a module and
+    plain values, which pickle takes along. `size` [bytes] of the file sets the limits. Raises
+    InputError about key and path where the child crashes, or passes them."""
     core = load_core()
     megabytes = size / 2 ** 20
     seconds = _SECONDS + _SECONDS_PER_MEGABYTE * megabytes
     most = _MEGABYTES + _MEGABYTES_PER_MEGABYTE * megabytes
+    request = pickle.dumps(sys.path) + pickle.dumps((act, given))
     try:
-        done, outcome = pickle.loads(core.in_child(lambda: _answer(act), seconds, most))
+        answer = core.answer_of_child(_command(core), request, seconds, most)
     except core.ChildFailed as error:
         raise _refusal(key, path, error, seconds, most) from error
+    done, outcome = pickle.loads(answer)
     if done:
         return outcome
     raise outcome
 
 
-def _answer(act: Callable[[], Any]) -> bytes:
+def answer() -> None:
+    """The child's whole work. Does not return."""
+    load_core().answer_parent(_answer)
+
+
+def _command(core) -> List[str]:
+    homes = [os.path.dirname(os.path.dirname(os.path.abspath(file)))
+             for file in (__file__, core.__file__)]
+    return [_program(), "-c", _BEGIN.format(homes)]
+
+
+def _program() -> str:
+    """A Python that has what this one has: FreeCAD's own without a window, where this is FreeCAD.
+    """
+    here = sys.executable or ""
+    if os.path.basename(here).lower().startswith("python"):
+        return here
+    folders = [os.path.dirname(here)]
+    if "FreeCAD" in sys.modules:
+        home = sys.modules["FreeCAD"].getHomePath()
+        folders += [os.path.join(home, "bin"), home]
+    for folder in folders:
+        for name in ("freecadcmd", "FreeCADCmd", "FreeCADCmd.exe"):
+            path = os.path.join(folder, name)
+            if os.path.isfile(path) and os.access(path, os.X_OK):
+                return path
+    return here or "python3"
+
+
+def _answer(request: bytes) -> bytes:
     try:
-        return pickle.dumps((True, act()))
+        file = io.BytesIO(request)
+        sys.path[:] = pickle.load(file)
+        act, given = pickle.load(file)
+        return pickle.dumps((True, act(*given)))
     except MemoryError:
         raise
     except Exception as error:

@@ -50,7 +50,7 @@ def check_readable(path: str, freecad: bool) -> None:
 def read(path: str) -> Arrays:
     """Reads the file in a child process. Raises InputError naming it."""
     try:
-        points, triangles = child.call(KEY, path, os.path.getsize(path), lambda: _read(path))
+        points, triangles = child.call(KEY, path, os.path.getsize(path), _read, path)
     except InputError:
         raise
     except Exception as error:  # each reader has its own ways to fail

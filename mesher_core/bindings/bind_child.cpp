@@ -1,54 +1,39 @@
 #include <pybind11/functional.h>
-#include <unistd.h>
+#include <pybind11/stl.h>
 
 #include <new>
 
+#include "base/child_process.h"
 #include "bindings.h"
-#include "geometry/child_process.h"
 
 namespace py = pybind11;
 
 namespace advlayers::python {
 namespace {
 
-// What the interpreter does before and after a copy is made, on both sides.
-class Fork {
- public:
-  Fork() : parent_(getpid()) { PyOS_BeforeFork(); }
-  ~Fork() { done(); }
-  Fork(const Fork&) = delete;
-  Fork& operator=(const Fork&) = delete;
+py::bytes answer_of_program(const std::vector<std::string>& command, const std::string& request,
+                            double seconds, double megabytes) {
+  ChildLimits limits;
+  limits.seconds = seconds;
+  limits.bytes = static_cast<std::size_t>(megabytes) << 20;
+  const py::gil_scoped_release others_may_go_on;
+  const std::string answer = answer_of_child(command, request, limits, [] {
+    const py::gil_scoped_acquire again;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  });
+  const py::gil_scoped_acquire again;
+  return answer;
+}
 
-  void done() {
-    if (done_) return;
-    done_ = true;
-    getpid() == parent_ ? PyOS_AfterFork_Parent() : PyOS_AfterFork_Child();
-  }
-
- private:
-  pid_t parent_;
-  bool done_ = false;
-};
-
-py::bytes result_in_child(const py::function& act, double seconds, double megabytes) {
-  const ChildLimits limits{seconds, static_cast<std::size_t>(megabytes) << 20};
-  Fork fork;
-  const auto in_copy = [&]() -> std::string {
-    fork.done();
+void answer(const py::function& act) {
+  answer_parent([&act](const std::string& request) -> std::string {
     try {
-      return act().cast<std::string>();
+      return act(py::bytes(request)).cast<std::string>();
     } catch (const py::error_already_set& error) {
       if (error.matches(PyExc_MemoryError)) throw std::bad_alloc();
       throw;
     }
-  };
-  const auto poll = [&fork] {
-    fork.done();
-    const py::gil_scoped_release others_may_go_on;
-    const py::gil_scoped_acquire again;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  };
-  return in_child(limits, in_copy, poll);
+  });
 }
 
 }  // namespace
@@ -68,10 +53,13 @@ void bind_child(py::module_& module) {
       PyErr_SetObject(failed.ptr(), raised.ptr());
     }
   });
-  module.def("in_child", &result_in_child, py::arg("act"), py::arg("seconds"), py::arg("megabytes"),
-             "The bytes that act() returns in a copy of this process, which may compute for so\n"
-             "long and take so much memory beyond what is in use: what crashes or never ends\n"
-             "does so there. Raises ChildFailed.");
+  module.def("answer_of_child", &answer_of_program, py::arg("command"), py::arg("request"),
+             py::arg("seconds"), py::arg("megabytes"),
+             "The bytes that the program answers, which may compute for so long and take so much\n"
+             "memory beyond its start. Raises ChildFailed.");
+  module.def("answer_parent", &answer, py::arg("act"),
+             "In a program that answer_of_child() has started: ends it with the bytes that\n"
+             "act(request) returns.");
 }
 
 }  // namespace advlayers::python

@@ -20,6 +20,7 @@ void count_sides(const Elements& elements, std::map<std::pair<int, int>, int>& u
 
 int mesh(const char* path) {
   advlayers::RunContext context;
+  advlayers::set_reader_program(READER);
   const advlayers::Model model = advlayers::read_file(context, path);
   advlayers::Settings settings;
   settings.size = 1.0;

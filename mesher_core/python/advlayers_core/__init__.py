@@ -10,9 +10,9 @@ Lengths are in mm, angles in degrees.
 """
 try:
     from ._core import (Cancelled, ChildFailed, GeometryError, InternalError, InvalidInput,
-                        LayerReport, Mesh, Mesher, Model, RunContext, Settings, brep_of_file,
-                        estimate, in_child, number_rows, read_brep, read_file, resolve_wall,
-                        schema)
+                        LayerReport, Mesh, Mesher, Model, RunContext, Settings,
+                        answer_of_child, answer_parent, brep_of_file, estimate, number_rows,
+                        read_brep, read_file, resolve_wall, schema)
 except ModuleNotFoundError as error:
     if error.name != __name__ + "._core":
         raise
@@ -22,6 +22,6 @@ except ModuleNotFoundError as error:
         "the add-on's folder".format(*_sys.version_info[:2])) from error
 
 __all__ = ["Cancelled", "ChildFailed", "GeometryError", "InternalError", "InvalidInput",
-           "LayerReport", "Mesh", "Mesher", "Model", "RunContext", "Settings", "brep_of_file",
-           "estimate", "in_child", "number_rows", "read_brep", "read_file", "resolve_wall",
-           "schema"]
+           "LayerReport", "Mesh", "Mesher", "Model", "RunContext", "Settings", "answer_of_child",
+           "answer_parent", "brep_of_file", "estimate", "number_rows", "read_brep", "read_file",
+           "resolve_wall", "schema"]

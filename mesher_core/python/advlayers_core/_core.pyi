@@ -1,6 +1,6 @@
 """Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees."""
 import os
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Literal, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Literal, Mapping, NoReturn, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -124,10 +124,15 @@ class ChildFailed(RuntimeError):
 
     reason: Literal["crashed", "seconds", "megabytes", "not started"]
 
-def in_child(act: Callable[[], bytes], seconds: float, megabytes: float) -> bytes:
-    """The bytes that act() returns in a copy of this process, which may compute for so long and
-    take so much memory beyond what is in use: what crashes or never ends does so there. Raises
-    ChildFailed.
+def answer_of_child(command: Sequence[str], request: bytes, seconds: float,
+                    megabytes: float) -> bytes:
+    """The bytes that the program command[0] answers, which may compute for so long and take so much
+    memory beyond its start: what crashes or never ends does so there. Raises ChildFailed.
+    """
+
+def answer_parent(act: Callable[[bytes], bytes]) -> NoReturn:
+    """In a program that answer_of_child() has started: ends it with the bytes that act(request)
+    returns. What is printed is lost.
     """
 
 class Settings:

@@ -1,15 +1,16 @@
 #include "geometry/file_gate.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <sstream>
 
+#include "base/child_process.h"
 #include "base/error.h"
-#include "geometry/child_process.h"
 #include "geometry/facet_shape.h"
 #include "geometry/foreign_readers.h"
 #include "geometry/iges_text.h"
@@ -60,19 +61,20 @@ const char* name_of(Kind kind) {
 }
 
 std::size_t size_of(const std::string& path) {
-  struct stat found {};
-  if (stat(path.c_str(), &found) != 0 || access(path.c_str(), R_OK) != 0 ||
-      !S_ISREG(found.st_mode)) {
+  std::error_code trouble;
+  const bool regular = std::filesystem::is_regular_file(path, trouble);
+  const auto size = regular ? std::filesystem::file_size(path, trouble) : 0;
+  if (!regular || trouble || !std::ifstream(path, std::ios::binary)) {
     throw InvalidInput("{}: the file cannot be opened", path);
   }
-  return static_cast<std::size_t>(found.st_size);
+  return static_cast<std::size_t>(size);
 }
 
 ChildLimits limits_of(std::size_t size) {
-  const auto pages = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES));
-  const std::size_t machine = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  return {kSeconds + kSecondsPerByte * static_cast<double>(size),
-          std::min(kBytes + kBytesPerByte * size, machine)};
+  ChildLimits limits;
+  limits.seconds = kSeconds + kSecondsPerByte * static_cast<double>(size);
+  limits.bytes = std::min(kBytes + kBytesPerByte * size, machine_bytes());
+  return limits;
 }
 
 std::string text_of(const std::string& path) {
@@ -97,7 +99,7 @@ TopoDS_Shape read_shape(Kind kind, const std::string& path) {
   }
 }
 
-// In the child. Whatever the process that asks does with the text is done here first.
+// Whatever the process that asks does with the text is done here first.
 std::string read_and_try(Kind kind, const std::string& path, double sew_tolerance) {
   const TopoDS_Shape shape = translated(name_of(kind), [&] { return read_shape(kind, path); });
   if (shape.IsNull()) {
@@ -128,18 +130,49 @@ InvalidInput refusal(const std::string& path, Kind kind, const ChildFailed& fail
   }
 }
 
+// What the child is asked: kind, tolerance and name of a file.
+std::string request_of(Kind kind, const std::string& path, double sew_tolerance) {
+  char tolerance[32];
+  std::snprintf(tolerance, sizeof tolerance, "%a", sew_tolerance);
+  return std::string(1, static_cast<char>('0' + static_cast<int>(kind))) + tolerance + '\n' + path;
+}
+
+std::string& given_program() {
+  static std::string program;
+  return program;
+}
+
+std::mutex& program_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::string reader_program() {
+  const std::lock_guard<std::mutex> lock(program_mutex());
+  return given_program().empty() ? own_folder() + "/advlayers-read" : given_program();
+}
+
 }  // namespace
+
+void set_reader_program(const std::string& path) {
+  const std::lock_guard<std::mutex> lock(program_mutex());
+  given_program() = path;
+}
+
+std::string brep_asked_for(const std::string& request) {
+  const std::size_t end = request.find('\n');
+  if (end == std::string::npos) throw InternalError("a reader was asked for nothing");
+  const double sew_tolerance = std::strtod(request.c_str() + 1, nullptr);
+  return read_and_try(static_cast<Kind>(request[0] - '0'), request.substr(end + 1), sew_tolerance);
+}
 
 std::string brep_of_file(const RunContext& context, const std::string& path, double sew_tolerance) {
   const StageScope stage(context, RunStage::kRead);
   const Kind kind = kind_of(path);
   const ChildLimits limits = limits_of(size_of(path));
-  // Held here, as the copy would wait for ever for a thread that it has not.
-  const std::lock_guard<std::mutex> lock(reader_mutex());
   try {
-    return in_child(
-        limits, [&] { return read_and_try(kind, path, sew_tolerance); },
-        [&context] { context.check(); });
+    return answer_of_child({reader_program()}, request_of(kind, path, sew_tolerance), limits,
+                           [&context] { context.check(); });
   } catch (const ChildFailed& failure) {
     throw refusal(path, kind, failure, limits);
   } catch (const InvalidInput& error) {

@@ -13,7 +13,7 @@
 namespace advlayers {
 
 // The readers share static registers and print to the default messenger: whoever calls one holds
-// this, and so does whoever makes a child process that calls one.
+// this.
 std::mutex& reader_mutex();
 
 // Null where the text cannot be read. Throws InvalidInput where its grammar is broken; Cancelled.

@@ -1,18 +1,22 @@
-#include "geometry/child_answer.h"
+#include "base/child_answer.h"
 
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 
+#include "base/child_process.h"
 #include "base/error.h"
-#include "geometry/child_process.h"
 
 namespace advlayers {
 namespace {
 
 constexpr char kResult = 'r', kInvalid = 'i', kGeometry = 'g', kMemory = 'm';
 constexpr char kEnd = '.';  // a child that died while writing leaves it out
+// No program prints this by itself before it answers.
+constexpr char kBegin[] =
+    "\x1f"
+    "advlayers answers\x1f";
 
 // A text is a sentence without values, which no language has another form of.
 using Values = std::array<Sentence, 8>;
@@ -57,14 +61,14 @@ void put(std::string& bytes, const Sentence& sentence) {
 }
 
 std::string answer(char kind, const Sentence& sentence) {
-  std::string bytes(1, kind);
+  std::string bytes = std::string(kBegin) + kind;
   put(bytes, sentence);
   return bytes + kEnd;
 }
 
 class Answer {
  public:
-  explicit Answer(const std::string& bytes) : bytes_(bytes) {}
+  Answer(const std::string& bytes, std::size_t at) : bytes_(bytes), at_(at) {}
 
   char letter() { return *take(1); }
 
@@ -95,13 +99,13 @@ class Answer {
   }
 
   const std::string& bytes_;
-  std::size_t at_ = 0;
+  std::size_t at_;
 };
 
 }  // namespace
 
 std::string answer_of_result(const std::string& result) {
-  std::string bytes(1, kResult);
+  std::string bytes = std::string(kBegin) + kResult;
   put(bytes, result);
   return bytes + kEnd;
 }
@@ -110,13 +114,14 @@ std::string answer_of_invalid_input(const Sentence& sentence) { return answer(kI
 std::string answer_of_geometry_error(const Sentence& sentence) {
   return answer(kGeometry, sentence);
 }
-std::string answer_out_of_memory() { return {kMemory, kEnd}; }
+std::string answer_out_of_memory() { return std::string(kBegin) + kMemory + kEnd; }
 
 std::string result_of_answer(const std::string& answer) {
-  if (answer.empty() || answer.back() != kEnd) {
+  const std::size_t begin = answer.find(kBegin);
+  if (begin == std::string::npos || answer.back() != kEnd) {
     throw ChildFailed(ChildFailed::Why::kCrashed, "it ended without an answer");
   }
-  Answer read(answer);
+  Answer read(answer, begin + std::strlen(kBegin));
   switch (read.letter()) {
     case kResult:
       return read.text();
