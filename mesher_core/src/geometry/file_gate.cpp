@@ -88,7 +88,7 @@ TopoDS_Shape read_shape(Kind kind, const std::string& path) {
   const std::string text = text_of(path);
   switch (kind) {
     case Kind::kBrep:
-      return shape_of_brep(RunContext(), text);
+      return is_binary_brep(text) ? shape_of_binary_brep(text) : shape_of_brep(RunContext(), text);
     case Kind::kStep:
       return shape_of_step(path, StepText(text));
     case Kind::kIges:

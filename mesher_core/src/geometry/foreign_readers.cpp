@@ -2,6 +2,7 @@
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <Interface_Check.hxx>
@@ -89,6 +90,23 @@ std::string brep_of_shape(const TopoDS_Shape& shape) {
   std::ostringstream text;
   BRepTools::Write(shape, text);
   return text.str();
+}
+
+bool is_binary_brep(const std::string& bytes) {
+  const std::size_t begin = bytes.find_first_not_of("\r\n");
+  return begin != std::string::npos && bytes.compare(begin, 21, "Open CASCADE Topology") == 0;
+}
+
+TopoDS_Shape shape_of_binary_brep(const std::string& bytes) {
+  TopoDS_Shape shape;
+  std::istringstream stream(bytes);
+  const QuietMessenger quiet;
+  try {
+    BinTools::Read(shape, stream);
+  } catch (const Standard_Failure&) {
+    shape.Nullify();
+  }
+  return shape;
 }
 
 TopoDS_Shape shape_of_step(const std::string& path, const StepText& text) {

@@ -20,6 +20,10 @@ std::mutex& reader_mutex();
 TopoDS_Shape shape_of_brep(const RunContext& context, const std::string& text);
 std::string brep_of_shape(const TopoDS_Shape& shape);
 
+// OpenCASCADE's binary form, which FreeCAD's exportBinary() writes; null where it cannot be read.
+bool is_binary_brep(const std::string& bytes);
+TopoDS_Shape shape_of_binary_brep(const std::string& bytes);
+
 // In mm; null where the file cannot be read. Throw InvalidInput where an entity did not arrive.
 TopoDS_Shape shape_of_step(const std::string& path, const StepText& text);
 TopoDS_Shape shape_of_iges(const std::string& path);

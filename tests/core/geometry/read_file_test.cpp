@@ -2,6 +2,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepTools.hxx>
+#include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -18,6 +19,7 @@
 #include "base/error.h"
 #include "boundary/discretization.h"
 #include "coarse_settings.h"
+#include "geometry/file_gate.h"
 #include "geometry/shapes.h"
 
 namespace advlayers {
@@ -119,6 +121,27 @@ TEST_F(ReadFile, EndingsCountInAnyCase) {
   for (const char* name : {"a.brep", "a.BRP"}) {
     expect_box(read_file(RunContext(), write_text(test::brep_text(box()), name)));
   }
+}
+
+TEST_F(ReadFile, BinaryBrepIsReadWholeOrRefused) {
+  std::ostringstream stream;
+  BinTools::Write(box(), stream);
+  const std::string bytes = stream.str();
+  expect_box(read_file(RunContext(), write_text(bytes, "box.brep")));
+  for (const std::size_t part : {3u, 5u, 8u}) {
+    const std::string cut = bytes.substr(0, bytes.size() * part / 9);
+    EXPECT_NE(refusal(write_text(cut, "cut.brep")).find("cut.brep: "), std::string::npos) << part;
+  }
+}
+
+TEST_F(ReadFile, AMissingReaderIsNamed) {
+  const std::string brep = write_text(test::brep_text(box()), "box.brep");
+  set_reader_program("/no/such/reader");
+  const std::string refused = refusal(brep);
+  set_reader_program(READER_PROGRAM);
+  EXPECT_NE(refused.find("no process can be started to read it: /no/such/reader: "),
+            std::string::npos)
+      << refused;
 }
 
 TEST_F(ReadFile, NothingIsPrinted) {
