@@ -1,8 +1,8 @@
 """Coverage-guided fuzzing: ./dev soak fuzz [MINUTES]
 
 libFuzzer on our checks of CAD files (what passes them goes on through the gate) and on sequences of
-mesh operations, and a fuzzer of our own for the readers in Python, in turn, for so many minutes of
-computing in all. What was learnt stays in out/fuzz/corpus, what was found in out/fuzz/finds; exit
+mesh operations, and a fuzzer of our own for the readers in Python, in turn, for so many minutes by
+the clock in all. What was learnt stays in out/fuzz/corpus, what was found in out/fuzz/finds; exit
 status 1 where there is something.
 """
 from __future__ import annotations
@@ -37,8 +37,8 @@ def corpus_of(target: str) -> str:
 def command(target: str, seconds: int, finds: str) -> List[str]:
     corpus = corpus_of(target)
     if target in PYTHON:
-        return [sys.executable, os.path.join(HERE, "python_fuzzer.py"), target, str(seconds), corpus,
-                finds]
+        return [sys.executable, os.path.join(HERE, "python_fuzzer.py"), target, str(seconds),
+                corpus, finds]
     return [os.path.join(ROOT, "build", "fuzz", f"fuzz_{target}"), f"-max_total_time={seconds}",
             f"-max_len={LONGEST}", f"-timeout={SLOW}", f"-artifact_prefix={finds}/{target}-",
             "-print_final_stats=1", corpus]

@@ -116,10 +116,10 @@ def fuzz(target: str, seconds: float, corpus_folder: str, finds: str) -> int:
         with open(os.path.join(corpus_folder, name), "rb") as file:
             corpus.append(file.read())
     runs, found, kept = 0, 0, len(corpus)
-    end = time.process_time() + seconds
+    end = time.monotonic() + seconds
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "input." + target)
-        while time.process_time() < end:
+        while time.monotonic() < end:
             data = corpus[runs] if runs < kept else _mutant(rng, corpus, _WORDS[target])
             with open(path, "wb") as file:
                 file.write(data)
