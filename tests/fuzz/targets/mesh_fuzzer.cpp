@@ -12,7 +12,7 @@ namespace {
 
 using namespace advlayers;
 
-constexpr int kCells = 4;             // of the grid in one direction
+constexpr int kCells = 4;              // of the grid in one direction
 constexpr std::size_t kLongest = 200;  // operations
 
 VertexData vertex_at(const Vec3& xyz) {
