@@ -43,11 +43,7 @@ inline SurfaceMesh triangle_grid(int nx, int ny) {
 
 inline VertexData centroid_of(const SurfaceMesh& mesh, FaceH f) {
   Vec3 sum = Vec3::Zero();
-  HalfedgeH h = mesh.halfedge(f);
-  do {
-    sum += mesh.position(mesh.to(h));
-    h = mesh.next(h);
-  } while (h != mesh.halfedge(f));
+  for (const HalfedgeH h : mesh.sides(f)) sum += mesh.position(mesh.to(h));
   sum /= mesh.degree(f);
   return flat_vertex(sum.x(), sum.y());
 }

@@ -6,13 +6,13 @@
 
 namespace advlayers {
 
-PointTree::PointTree(std::vector<Vec3> points)
+PointTree::PointTree(const RunContext& context, std::vector<Vec3> points)
     : points_(std::move(points)), order_(points_.size()), axis_(points_.size(), 0) {
   std::iota(order_.begin(), order_.end(), 0);
-  divide(0, order_.size());
+  divide(context, 0, order_.size());
 }
 
-void PointTree::divide(std::size_t begin, std::size_t end) {
+void PointTree::divide(const RunContext& context, std::size_t begin, std::size_t end) {
   if (end - begin < 2) return;
   Eigen::AlignedBox3d box;
   for (std::size_t i = begin; i < end; ++i) {
@@ -23,13 +23,14 @@ void PointTree::divide(std::size_t begin, std::size_t end) {
   const std::size_t middle = begin + (end - begin) / 2;
   const auto at = [this](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(begin), at(middle), at(end), [&](int a, int b) {
+    context.check();
     const double pa = points_[static_cast<std::size_t>(a)][axis];
     const double pb = points_[static_cast<std::size_t>(b)][axis];
     return pa != pb ? pa < pb : a < b;
   });
   axis_[middle] = static_cast<signed char>(axis);
-  divide(begin, middle);
-  divide(middle + 1, end);
+  divide(context, begin, middle);
+  divide(context, middle + 1, end);
 }
 
 int PointTree::nearest(const Vec3& p) const {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/run_context.h"
 #include "base/types.h"
 
 namespace advlayers {
@@ -10,7 +11,8 @@ namespace advlayers {
 class PointTree {
  public:
   PointTree() = default;
-  explicit PointTree(std::vector<Vec3> points);
+  // Throws Cancelled.
+  PointTree(const RunContext& context, std::vector<Vec3> points);
 
   bool empty() const { return points_.empty(); }
   // Index of the point nearest to p, of equally near ones the first in the tree; -1: there is none.
@@ -18,7 +20,7 @@ class PointTree {
 
  private:
   // The middle of a range divides it along axis_[middle]; what lies before it is not beyond it.
-  void divide(std::size_t begin, std::size_t end);
+  void divide(const RunContext& context, std::size_t begin, std::size_t end);
   void search(std::size_t begin, std::size_t end, const Vec3& p, int& best, double& best2) const;
 
   std::vector<Vec3> points_;

@@ -7,9 +7,9 @@
 namespace advlayers {
 namespace {
 
-constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
-constexpr double kOrientBound = (3 + 16 * kHalfUlp) * kHalfUlp;
-constexpr double kInCircleBound = (10 + 96 * kHalfUlp) * kHalfUlp;
+constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;  // of one rounding
+constexpr double kOrientBound = (3 + 16 * kHalfUlp) * kHalfUlp;     // Shewchuk, Adaptive Precision
+constexpr double kInCircleBound = (10 + 96 * kHalfUlp) * kHalfUlp;  // the same
 
 // A sum of doubles that do not overlap, smallest first: its sign is the sign of its last term.
 class Expansion {

@@ -22,7 +22,7 @@ namespace {
 constexpr double kSizeTolerance = 1.1;
 constexpr double kSharpFold = 0.01;  // of the size: a fold narrower than this is not followed
 constexpr double kOneJoint = 0.2;    // of such a fold: a kink and a fold this near are one
-constexpr int kMaxRounds = 200;
+constexpr int kMaxRounds = 200;      // of grading: a change passes one joint in each
 // Stretches that are cut alike, but differ in length, are shortened by their neighbours in so many
 // rounds alone: over a ring of strips one could shorten the other without end.
 constexpr int kGroupRounds = 12;

@@ -7,8 +7,8 @@
 
 namespace advlayers {
 
-inline constexpr double kEvenSpread = 1e-9;  // relative spread of an even spacing
-inline constexpr double kMostSegments = 5e6;
+inline constexpr double kEvenSpread = 1e-9;   // relative spread of an even spacing
+inline constexpr double kMostSegments = 5e6;  // of one edge: beyond, the size is refused
 
 struct SpacingSample {
   double s;        // from the begin

@@ -8,10 +8,8 @@
 namespace advlayers {
 namespace {
 
-constexpr int kSamples = 64;
-constexpr double kLeastTurn = M_PI / 3;
-constexpr double kMostOfTurn = 0.6;  // that lies within `least`
-constexpr int kBisections = 30;
+constexpr int kSamples = 64;     // along the edge
+constexpr int kBisections = 30;  // to the rounding of the parameter
 
 class FoldFinder {
  public:
@@ -25,9 +23,9 @@ class FoldFinder {
     for (int k = 1; k <= kSamples; ++k) {
       const double t = edge.first + (edge.last - edge.first) * k / kSamples;
       const Vec3 here = normal(t);
-      if (!before.isZero() && !here.isZero() && angle_between(before, here) >= kLeastTurn) {
-        const double begin = where_turned(t_before, t, before, here, (1 - kMostOfTurn) / 2);
-        const double end = where_turned(t_before, t, before, here, (1 + kMostOfTurn) / 2);
+      if (!before.isZero() && !here.isZero() && angle_between(before, here) >= kLeastFoldTurn) {
+        const double begin = where_turned(t_before, t, before, here, (1 - kMostOfFold) / 2);
+        const double end = where_turned(t_before, t, before, here, (1 + kMostOfFold) / 2);
         if (evaluator_.edge_length(edge_, begin, end) < least) {
           folds.push_back(where_turned(t_before, t, before, here, 0.5));
         }

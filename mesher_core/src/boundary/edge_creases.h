@@ -3,9 +3,15 @@
 
 #include <vector>
 
+#include "base/angles.h"
 #include "boundary/edge_spacing.h"
 
 namespace advlayers {
+
+// A fold: the normal turns this far along an edge that runs over it [rad], and this part of the
+// turn lies close together.
+inline constexpr double kLeastFoldTurn = 60.0 * kDegree;
+inline constexpr double kMostOfFold = 0.6;
 
 // Parameters inside the edge's range, rising, in the middle of such folds: there the normals of a
 // face beside the edge turn by 60 degrees or more within `least` [mm]. A node belongs there, for no

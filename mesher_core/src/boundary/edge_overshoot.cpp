@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "base/golden_ratio.h"
+
 namespace advlayers {
 namespace {
 
 constexpr double kLongest = 0.1;  // of the length, out and back
-constexpr int kSamples = 100;
-constexpr int kSections = 60;  // of an interval in search of the nearest point
-constexpr double kGolden = 0.6180339887498949;
+constexpr int kSamples = 100;     // along the edge, where it may run back
+constexpr int kSections = 60;     // of an interval in search of the nearest point
 // An edge whose tolerance is less than this part of its length has no room to run back.
 constexpr double kTight = 1e-6;
 
@@ -40,7 +41,7 @@ class Overshoot {
   }
   double nearest(const Vec3& place, double low, double high) const {
     for (int i = 0; i < kSections; ++i) {
-      const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+      const double a = high - kGoldenRatio * (high - low), b = low + kGoldenRatio * (high - low);
       if (distance(place, a) < distance(place, b)) {
         high = b;
       } else {

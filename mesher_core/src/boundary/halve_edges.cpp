@@ -8,14 +8,15 @@ namespace {
 
 class Halver {
  public:
-  Halver(Evaluator& evaluator, Discretization& boundary)
-      : evaluator_(evaluator), boundary_(boundary) {}
+  Halver(const RunContext& context, Evaluator& evaluator, Discretization& boundary)
+      : context_(context), evaluator_(evaluator), boundary_(boundary) {}
 
   // Every segment, or only those that edges halved before have in common with it.
   void halve(EdgeId edge, bool all) {
     const EdgeNodes& coarse = boundary_.edges[edge.index()];
     EdgeNodes fine;
     for (std::size_t k = 0; k < coarse.nodes.size(); ++k) {
+      context_.check();
       if (k > 0) halve_segment(edge, coarse, k, all, fine);
       fine.nodes.push_back(coarse.nodes[k]);
       fine.params.push_back(coarse.params[k]);
@@ -42,6 +43,7 @@ class Halver {
     middles_.emplace(ends, fine.nodes.back());
   }
 
+  const RunContext& context_;
   Evaluator& evaluator_;
   Discretization& boundary_;
   std::map<std::pair<NodeId, NodeId>, NodeId> middles_;  // of segments, by their ends
@@ -49,9 +51,10 @@ class Halver {
 
 }  // namespace
 
-void halve_edges(Evaluator& evaluator, const std::vector<EdgeId>& edges, Discretization& boundary) {
+void halve_edges(const RunContext& context, Evaluator& evaluator, const std::vector<EdgeId>& edges,
+                 Discretization& boundary) {
   if (edges.empty()) return;
-  Halver halver(evaluator, boundary);
+  Halver halver(context, evaluator, boundary);
   std::vector<char> halved(boundary.edges.size(), 0);
   for (const EdgeId edge : edges) {
     halver.halve(edge, true);

@@ -9,6 +9,8 @@ namespace advlayers {
 
 // Halves every mesh edge on these CAD edges by the length of the curve. Nodes keep their numbers,
 // new ones come after them. Degenerate edges stay.
-void halve_edges(Evaluator& evaluator, const std::vector<EdgeId>& edges, Discretization& boundary);
+// Throws Cancelled.
+void halve_edges(const RunContext& context, Evaluator& evaluator, const std::vector<EdgeId>& edges,
+                 Discretization& boundary);
 
 }  // namespace advlayers

@@ -5,13 +5,14 @@
 #include <set>
 
 #include "base/directions.h"
+#include "base/golden_ratio.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kTangent = 0.2;  // [rad] between edges that may go together
-constexpr int kSteps = 64;        // along the shorter edge, in search of the parting
-constexpr int kHalvings = 20;
+constexpr double kTangent = 0.2;    // [rad] between edges that may go together
+constexpr int kSteps = 64;          // along the shorter edge, in search of the parting
+constexpr int kHalvings = 20;       // of the way between two steps
 constexpr double kSearched = 0.05;  // of the way from the vertex, for the nearest point
 // Tolerances above this part of the shorter edge say nothing about where the edges part.
 constexpr double kLargestShare = 0.01;
@@ -38,9 +39,8 @@ class Leaving {
 
   // The length at which the edge is nearest to a point, between two.
   double nearest(const Vec3& p, double low, double high) const {
-    constexpr double kGolden = 0.6180339887498949;
     for (int i = 0; i < 2 * kHalvings; ++i) {
-      const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+      const double a = high - kGoldenRatio * (high - low), b = low + kGoldenRatio * (high - low);
       if ((at(a) - p).norm() < (at(b) - p).norm()) {
         high = b;
       } else {

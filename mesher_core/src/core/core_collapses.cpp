@@ -16,7 +16,7 @@ constexpr double kPoorSine = 0.5;     // of 30 degrees
 constexpr double kLeastGain = 1e-6;   // of the sine
 constexpr double kLongestMade = 1.4;  // of the longest edge about the vertex
 constexpr double kStraight = 0.9659;  // cosine of 15 degrees, that the edge of the CAD may turn
-constexpr int kRounds = 4;
+constexpr int kRounds = 4;            // a collapse may make room for another
 
 class Collapser {
  public:
@@ -74,15 +74,13 @@ class Collapser {
     const VertexH onto = mesh_.to(h);
     CoreShape before{1.0, 1.0}, after{1.0, 1.0};
     double longest = 0.0, longest_made = 0.0;
-    HalfedgeH o = h;
-    do {
+    for (const HalfedgeH o : mesh_.around(h)) {
       const VertexH a = mesh_.to(o), b = mesh_.to(mesh_.next(o));
       add(shape_of(mesh_, mesh_.from(h), a, b), before);
       if (a != onto && b != onto) add(shape_of(mesh_, onto, a, b), after);
       longest = std::max(longest, length(o));
       longest_made = std::max(longest_made, (mesh_.position(a) - mesh_.position(onto)).norm());
-      o = mesh_.rotate_cw(o);
-    } while (o != h);
+    }
     if (longest_made > kLongestMade * longest) return -1.0;
     if (after.lean < std::min(kLeastLeanCosine, before.lean)) return -1.0;
     return after.sine - before.sine;
@@ -101,8 +99,7 @@ class Collapser {
     if (data.support == Support::kVertex || data.node.valid() || data.layer != 0) return false;
     int frozen = 0;
     HalfedgeH along;
-    HalfedgeH o = h;
-    do {
+    for (const HalfedgeH o : mesh_.around(h)) {
       if (mesh_.is_border(o) || !is_core(mesh_, mesh_.face(o)) || !mesh_.is_triangle(o)) {
         return false;
       }
@@ -110,8 +107,7 @@ class Collapser {
         ++frozen;
         if (o != h) along = o;
       }
-      o = mesh_.rotate_cw(o);
-    } while (o != h);
+    }
     if (frozen == 0) return data.support == Support::kPatch;
     if (frozen != 2 || !mesh_.frozen(h) || mesh_.curve(along) != mesh_.curve(h)) return false;
     const Vec3 before = mesh_.position(v) - mesh_.position(mesh_.to(along));

@@ -8,8 +8,8 @@
 namespace advlayers {
 namespace {
 
-constexpr int kRounds = 3;
-constexpr int kSweepsPerRound = 3;
+constexpr int kRounds = 3;          // of flips, splits and smoothing
+constexpr int kSweepsPerRound = 3;  // of smoothing
 
 }  // namespace
 

@@ -56,12 +56,9 @@ int split_bent_edges(const RunContext& context, SurfaceMesh& mesh, PatchSurface&
     if (!split_helps(mesh, h, middle)) continue;
     const VertexH v = mesh.split_edge(h, middle);
     ++splits;
-    const HalfedgeH first = mesh.outgoing(v);
-    HalfedgeH spoke = first;
-    do {
+    for (const HalfedgeH spoke : mesh.around(v)) {
       enlist(spoke, halvings + 1);
-      spoke = mesh.rotate_cw(spoke);
-    } while (spoke != first);
+    }
   }
   return splits;
 }

@@ -52,10 +52,8 @@ bool gather(const SurfaceMesh& mesh, VertexH v, QuadTarget target, Star& star) {
     const Vec3 offset = mesh.position(w) - origin;
     return Vec2(offset.dot(star.x_axis), offset.dot(star.y_axis));
   };
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH h = first;
   double sides = 0.0;
-  do {
+  for (const HalfedgeH h : mesh.around_ccw(v)) {
     if (star.count == kLargestStar) return false;
     Sector& sector = star.sectors[star.count++];
     const HalfedgeH bc = mesh.next(h), beyond = mesh.next(bc);
@@ -65,8 +63,7 @@ bool gather(const SurfaceMesh& mesh, VertexH v, QuadTarget target, Star& star) {
     if (sector.quad) sector.d = flat(mesh.to(beyond));
     if (sector.quad && target == QuadTarget::kRectangle) weigh_sides(sector);
     sides += sector.b.norm();
-    h = mesh.rotate_ccw(h);
-  } while (h != first);
+  }
   star.mean_side = sides / static_cast<double>(star.count);
   star.area_floor = 1e-3 * star.mean_side * star.mean_side;
   return star.mean_side > 0.0;
@@ -167,9 +164,7 @@ bool find_better_place(const Star& star, Vec2& place) {
 // at each of its corners.
 bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place) {
   const Vec3& normal = mesh.data(v).normal;
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around_ccw(v)) {
     const HalfedgeH last = mesh.prev(h);
     const Vec3& at_b = mesh.position(mesh.to(h));
     const Vec3& at_d = mesh.position(mesh.from(last));
@@ -184,8 +179,7 @@ bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place) 
     if (!mesh.is_triangle(h) && (after_b - at_b).cross(at_d - after_b).dot(area) <= 0.0) {
       return false;
     }
-    h = mesh.rotate_ccw(h);
-  } while (h != first);
+  }
   return true;
 }
 
@@ -222,13 +216,10 @@ void smooth_stars(const RunContext& context, SurfaceMesh& mesh, PatchSurface& su
       if (!smooth_star(mesh, surface, target, v)) continue;
       ++moved;
       waiting[v.index()] = 1;
-      const HalfedgeH first = mesh.outgoing(v);
-      HalfedgeH h = first;
-      do {
+      for (const HalfedgeH h : mesh.around_ccw(v)) {
         waiting[mesh.to(h).index()] = 1;
         waiting[mesh.to(mesh.next(h)).index()] = 1;
-        h = mesh.rotate_ccw(h);
-      } while (h != first);
+      }
     }
     if (moved == 0) break;
   }

@@ -11,7 +11,7 @@ constexpr double kLargestShare = 1e-4;
 // A pole is shorter in space than this part of what its length in (u, v) is elsewhere on the face.
 constexpr double kPoleShrinks = 0.01;
 constexpr int kScaleSamples = 4;  // per direction
-constexpr int kPoleChords = 8;
+constexpr int kPoleChords = 8;    // along the edge that may be a pole
 
 double tolerance_about(const Edge& edge, const std::vector<Vertex>& vertices) {
   double tolerance = edge.tolerance;

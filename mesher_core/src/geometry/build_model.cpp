@@ -148,7 +148,7 @@ double box_diagonal(const RunContext& context, Evaluator& evaluator) {
   const Model& model = evaluator.model();
   Eigen::AlignedBox3d box;
   for (const Vertex& vertex : model.vertices()) box.extend(vertex.xyz);
-  constexpr int kOnEdge = 32, kOnFace = 12;
+  constexpr int kOnEdge = 32, kOnFace = 12;  // samples, per direction: the box need not be tight
   for (std::size_t e = 0; e < model.edges().size(); ++e) {
     const Edge& edge = model.edges()[e];
     if (edge.degenerate || !(edge.last > edge.first)) continue;
@@ -180,7 +180,7 @@ struct EdgeUse {
 double largest_turn(Evaluator& evaluator, EdgeId id, const EdgeUse& a, const EdgeUse& b) {
   const Edge& edge = evaluator.model().edge(id);
   double worst = 0.0;
-  constexpr int kSamples = 9;
+  constexpr int kSamples = 9;  // along the edge
   for (int k = 0; k < kSamples; ++k) {
     // Away from the ends, where other edges' blends and poles speak.
     const double t = edge.first + (edge.last - edge.first) * (0.02 + 0.96 * k / (kSamples - 1));

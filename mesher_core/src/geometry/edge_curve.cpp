@@ -20,8 +20,8 @@ constexpr std::array<GaussPoint, 4> kGauss{{{0.1834346424956498, 0.3626837833783
                                             {0.7966664774136267, 0.2223810344533745},
                                             {0.9602898564975363, 0.1012285362903763}}};
 constexpr double kLengthError = 1e-13;  // relative
-constexpr int kMaxDepth = 30;
-constexpr double kWithin = 0.1;  // of a span: where its end is told from inside
+constexpr int kMaxDepth = 30;           // of halving: below the rounding of the length
+constexpr double kWithin = 0.1;         // of a span: where its end is told from inside
 
 }  // namespace
 

@@ -32,7 +32,7 @@ class Slots {
   }
 
  private:
-  static constexpr std::size_t kPage = 64;
+  static constexpr std::size_t kPage = 64;  // slots made at once
   using Page = std::array<std::unique_ptr<Made>, kPage>;
   std::vector<std::unique_ptr<Page>> pages_;
 };

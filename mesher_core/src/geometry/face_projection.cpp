@@ -10,7 +10,7 @@ namespace advlayers {
 
 namespace {
 
-constexpr int kMaxIterations = 40;
+constexpr int kMaxIterations = 40;  // of Newton, with halved steps
 // A Newton step shorter than this part of the face's size squares to nothing: it is the last one.
 constexpr double kLastStep = 1e-8;
 // Steps so short, against the distance, change it by less than its rounding.
@@ -60,7 +60,7 @@ void FaceSurface::cross_pole(const Vec3& point, double& u, double& v, Vec3& foot
   const bool u_gone = u_collapsed(du), v_gone = v_collapsed(dv);
   if (u_gone == v_gone) return;
   const double distance = (point - foot).norm();
-  constexpr int kAround = 16;
+  constexpr int kAround = 16;  // directions that are tried about a pole
   double best = std::numeric_limits<double>::infinity(), u_best = u, v_best = v;
   for (int k = 0; k < kAround; ++k) {
     const double part = static_cast<double>(k) / kAround;

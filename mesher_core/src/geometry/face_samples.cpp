@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/golden_ratio.h"
+
 namespace advlayers {
 
 namespace {
@@ -12,7 +14,6 @@ namespace {
 constexpr int kGrid = 16, kMostGrid = 256;
 constexpr double kMissed = 1.05;  // length with twice the samples, over that with these
 constexpr int kStarts = 5;        // samples that Newton starts from
-constexpr double kGoldenRatio = 0.6180339887498949;
 
 // Of a line across the face, through its middle; `share` from 0 to 1 gives its points.
 template <class PointAt>

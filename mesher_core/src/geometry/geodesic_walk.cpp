@@ -15,8 +15,8 @@ constexpr double kWorthInSpace = 0.2;
 constexpr double kFlatTurn = 1e-4;
 constexpr double kLengthError = 2e-7;  // relative
 constexpr double kStepError = 5e-7;    // relative
-constexpr int kMaxHalvings = 6;
-constexpr int kMaxSteps = 20000;
+constexpr int kMaxHalvings = 6;        // of one step
+constexpr int kMaxSteps = 20000;       // a walk longer than that has no end
 
 }  // namespace
 

@@ -9,8 +9,8 @@ namespace advlayers {
 
 namespace {
 
-constexpr int kEdgeSamples = 32;
-constexpr int kMaxFaces = 64;  // that one step may lead over
+constexpr int kEdgeSamples = 32;  // of an inner edge, in search of its nearest point
+constexpr int kMaxFaces = 64;     // that one step may lead over
 // Of a step, for the place where it leaves its face. What is left of it goes on from the foot on
 // the neighbour, so that an error here enters the place squared.
 constexpr int kBisections = 14;
@@ -40,7 +40,6 @@ void PatchSurface::find_crossings(const FeatureRule& rule) {
     }
   }
   for (const EdgeId id : advlayers::inner_edges(*evaluator_, faces_, rule)) {
-    const Edge& edge = model.edge(id);
     const std::vector<Use>& sides = uses[id];
     if (sides[0].face == sides[1].face) continue;  // a seam
     for (int k = 0; k < 2; ++k) {
@@ -48,10 +47,6 @@ void PatchSurface::find_crossings(const FeatureRule& rule) {
       crossing.from = sides[static_cast<std::size_t>(k)].face;
       crossing.onto = sides[static_cast<std::size_t>(1 - k)].face;
       crossing.coedge = sides[static_cast<std::size_t>(1 - k)].coedge;
-      for (int i = 0; i <= kEdgeSamples; ++i) {
-        crossing.params.push_back(edge.first + (edge.last - edge.first) * i / kEdgeSamples);
-        crossing.points.push_back(evaluator_->edge_point(id, crossing.params.back()));
-      }
     }
   }
   std::stable_sort(crossings_.begin(), crossings_.end(),
@@ -69,26 +64,43 @@ PatchSurface::crossings_from(FaceId face) const {
   return {first, last};
 }
 
+// Most edges of a patch of very many faces are never asked for.
+const std::vector<Vec3>& PatchSurface::points_along(const Crossing& crossing) {
+  if (crossing.points.empty()) {
+    for (int i = 0; i <= kEdgeSamples; ++i) {
+      crossing.points.push_back(
+          evaluator_->edge_point(crossing.coedge.edge, sample(crossing.coedge.edge, i)));
+    }
+  }
+  return crossing.points;
+}
+
+double PatchSurface::sample(EdgeId id, int i) const {
+  const Edge& edge = model().edge(id);
+  return edge.first + (edge.last - edge.first) * i / kEdgeSamples;
+}
+
 // Distance to the edge, and the parameter there: from the samples, then by Gauss-Newton.
 double PatchSurface::nearest(const Crossing& crossing, const Vec3& xyz, double& t) {
+  const std::vector<Vec3>& points = points_along(crossing);
+  const EdgeId id = crossing.coedge.edge;
   double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < crossing.points.size(); ++i) {
-    const Vec3& a = crossing.points[i - 1];
-    const Vec3 ab = crossing.points[i] - a;
+  for (int i = 1; i <= kEdgeSamples; ++i) {
+    const Vec3& a = points[static_cast<std::size_t>(i - 1)];
+    const Vec3 ab = points[static_cast<std::size_t>(i)] - a;
     const double length2 = ab.squaredNorm();
     const double part = length2 > 0.0 ? std::clamp((xyz - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
     const double distance2 = (a + part * ab - xyz).squaredNorm();
     if (distance2 >= best) continue;
     best = distance2;
-    t = crossing.params[i - 1] + part * (crossing.params[i] - crossing.params[i - 1]);
+    t = sample(id, i - 1) + part * (sample(id, i) - sample(id, i - 1));
   }
-  const EdgeId id = crossing.coedge.edge;
   for (int i = 0; i < 3; ++i) {
     const Vec3 tangent = evaluator_->edge_tangent(id, t);
     const double speed2 = tangent.squaredNorm();
     if (!(speed2 > 0.0)) break;
     t += (xyz - evaluator_->edge_point(id, t)).dot(tangent) / speed2;
-    t = std::clamp(t, crossing.params.front(), crossing.params.back());
+    t = std::clamp(t, sample(id, 0), sample(id, kEdgeSamples));
   }
   return (evaluator_->edge_point(id, t) - xyz).norm();
 }
@@ -126,7 +138,7 @@ bool PatchSurface::nearest_between(FaceId a, FaceId b, const Vec3& xyz, InnerPoi
     if (distance >= best) continue;
     best = distance;
     found.edge = crossing.coedge.edge;
-    found.at_end = t <= crossing.params.front() || t >= crossing.params.back();
+    found.at_end = t <= sample(found.edge, 0) || t >= sample(found.edge, kEdgeSamples);
     const Vec2 uv = evaluator_->edge_uv(b, crossing.coedge, t);
     found.point = {b, uv.x(), uv.y(), evaluator_->edge_point(found.edge, t)};
   }

@@ -51,14 +51,15 @@ class PatchSurface {
   // A way from one face over an inner edge onto another.
   struct Crossing {
     FaceId from, onto;
-    CoEdge coedge;  // of `onto`
-    std::vector<double> params;
-    std::vector<Vec3> points;  // of the edge at these
+    CoEdge coedge;                     // of `onto`
+    mutable std::vector<Vec3> points;  // along the edge, once they are asked for
   };
   void find_crossings(const FeatureRule& rule);
   bool has_facets(const std::vector<EdgeId>& smooth) const;
   // The crossings that leave a face lie side by side.
   std::pair<const Crossing*, const Crossing*> crossings_from(FaceId face) const;
+  double sample(EdgeId edge, int i) const;  // parameter of the edge
+  const std::vector<Vec3>& points_along(const Crossing& crossing);
   double nearest(const Crossing& crossing, const Vec3& xyz, double& t);
   bool cross(const Crossing& crossing, const Vec3& xyz, double t, SurfacePoint& foot);
   bool lands_inside(const SurfacePoint& from, double length, Vec3& heading, SurfacePoint& to);

@@ -57,16 +57,13 @@ bool FaceSides::in_patch(FaceId face) const {
 // A vertex inside the patch that was brought onto edges of the model lies on all faces beside them.
 void FaceSides::put_by_curves(const SurfaceMesh& mesh, VertexH v) {
   std::vector<FaceId>& faces = sides_[v.index()];
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around(v)) {
     if (mesh.curve(h).valid()) {
       for (const FaceId face : model_.edge(mesh.curve(h)).faces) {
         if (in_patch(face)) faces.push_back(face);
       }
     }
-    h = mesh.rotate_cw(h);
-  } while (h != first);
+  }
   sort_unique(faces);
 }
 

@@ -76,9 +76,7 @@ class Imprinter {
 
   std::vector<VertexH> polygon_of(FaceH f) const {
     std::vector<VertexH> corners;
-    const HalfedgeH first = mesh_.halfedge(f);
-    HalfedgeH h = first;
-    do {
+    for (const HalfedgeH h : mesh_.sides(f)) {
       const VertexH a = mesh_.from(h), b = mesh_.to(h);
       corners.push_back(a);
       if (const auto found = cuts_.find(key(a, b)); found != cuts_.end()) {
@@ -88,8 +86,7 @@ class Imprinter {
           corners.insert(corners.end(), found->second.rbegin(), found->second.rend());
         }
       }
-      h = mesh_.next(h);
-    } while (h != first);
+    }
     return corners;
   }
 
@@ -233,7 +230,7 @@ class Imprinter {
     SurfaceMesh made;
     for (std::size_t i = 0; i < mesh_.vertex_capacity(); ++i)
       made.add_vertex(mesh_.data(VertexH(i)));
-    made.build(faces);
+    made.build(context_, faces);
     mesh_ = std::move(made);
     for (std::size_t i = 0; i < faces.size(); ++i) mesh_.data(FaceH(i)).layer = layers[i];
     mark_again(marked);

@@ -4,15 +4,15 @@
 #include <iterator>
 
 #include "measure/element_measures.h"
+#include "quads/recombine.h"
 
 namespace advlayers {
 namespace {
 
 using Corners = std::vector<VertexH>;
 
-constexpr double kLeastQuality = 0.03;  // of a quad: corners of 14 to 166 degrees
-constexpr double kUnparted = -10.0;     // what a piece over two faces costs
-constexpr std::size_t kMostTried = 9;   // corners: the ways to cut grow by a factor of three each
+constexpr double kUnparted = -10.0;    // what a piece over two faces costs
+constexpr std::size_t kMostTried = 9;  // corners: the ways to cut grow by a factor of three each
 
 class Cutter {
  public:
@@ -23,7 +23,7 @@ class Cutter {
     if (corners.size() > kMostTried) return halve(corners);
     const bool parted = sides_.common(corners).valid();
     PolygonPieces whole = as_it_is(corners, parted);
-    if (parted && (corners.size() == 3 || whole.quality >= kLeastQuality)) return whole;
+    if (parted && (corners.size() == 3 || whole.quality >= kLeastPairQuality)) return whole;
     PolygonPieces best = whole;
     for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
       for (std::size_t j = i + 2; j < corners.size(); ++j) {

@@ -57,9 +57,7 @@ class Snapper {
   // The worst quality of the elements about v: sines and cosines, below zero where one is folded.
   double worst_about(VertexH v) const {
     double worst = 1.0;
-    const HalfedgeH first = mesh_.outgoing(v);
-    HalfedgeH h = first;
-    do {
+    for (const HalfedgeH h : mesh_.around(v)) {
       const VertexH b = mesh_.to(h), c = mesh_.to(mesh_.next(h));
       const VertexH d = mesh_.from(mesh_.prev(h));
       if (mesh_.is_triangle(h)) {
@@ -68,8 +66,7 @@ class Snapper {
       } else {
         worst = std::min(worst, quad_quality(mesh_, v, b, c, d));
       }
-      h = mesh_.rotate_cw(h);
-    } while (h != first);
+    }
     return worst;
   }
 
@@ -108,7 +105,7 @@ class Snapper {
 
   // A vertex of the model inside the patch takes the nearest vertex of the mesh that can move.
   void snap_to(VertexId vertex, NearVertices& vertices) {
-    constexpr std::size_t kTried = 4;
+    constexpr std::size_t kTried = 4;  // nearest vertices, of which one can move mostly
     const Vec3& xyz = surface_.model().vertex(vertex).xyz;
     const auto near = vertices.nearest(xyz, kTried);
     for (const auto& [distance, v] : near) {
@@ -164,12 +161,9 @@ class Snapper {
 
   // False where the neighbours that made the vertex cross have moved onto the edge themselves.
   bool still_crosses(VertexH v) const {
-    const HalfedgeH first = mesh_.outgoing(v);
-    HalfedgeH h = first;
-    do {
+    for (const HalfedgeH h : mesh_.around(v)) {
       if (!sides_.share_face(v, mesh_.to(h))) return true;
-      h = mesh_.rotate_cw(h);
-    } while (h != first);
+    }
     return false;
   }
 

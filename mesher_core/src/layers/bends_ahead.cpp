@@ -11,13 +11,13 @@
 namespace advlayers {
 namespace {
 
-constexpr double kMostEdgeBend = 40.0 * kDegree;
+constexpr double kMostEdgeBend = 40.0 * kDegree;  // of the surface along a front edge
 // The core shrinks from a front edge's length to nearly nothing within so many of its lengths. Low
 // layers matter more than a core of even grading: they go on up to so many heights.
 constexpr double kRoomInLengths = 2.0;
 constexpr double kRoomInHeights = 6.0;
 constexpr std::size_t kMostReached = 200;  // core vertices that are asked
-constexpr std::size_t kLooks = 4;
+constexpr std::size_t kLooks = 4;          // along the way ahead
 // Edges in a row: the few that meet a corner's rounding pass by or over it.
 constexpr int kShortestRun = 4;
 
@@ -70,18 +70,15 @@ class BendFinder {
   bool core_turns(VertexH node, double reach) {
     std::vector<VertexH> reached{node};
     for (std::size_t k = 0; k < reached.size(); ++k) {
-      const HalfedgeH first = mesh_.outgoing(reached[k]);
-      HalfedgeH h = first;
-      do {
+      for (const HalfedgeH h : mesh_.around(reached[k])) {
         const VertexH w = mesh_.to(h);
-        h = mesh_.rotate_cw(h);
         const bool near = (mesh_.position(w) - mesh_.position(node)).norm() <= reach;
         if (!near || !is_core_vertex(mesh_, w)) continue;
         if (std::exchange(asked_by_[w.index()], node) == node) continue;
         const double turn = angle_between(mesh_.data(w).normal, mesh_.data(node).normal);
         if (turn > kMostEdgeBend || reached.size() > kMostReached) return true;
         reached.push_back(w);
-      } while (h != first);
+      }
     }
     return false;
   }

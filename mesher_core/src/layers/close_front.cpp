@@ -17,8 +17,8 @@ namespace {
 constexpr double kStripTipAngle = 80.0 * kDegree;
 // The end of a gap is zipped, and a gap bridged, where two more rows hardly fit: the paper's 2.4.
 constexpr double kZipHeights = 2.4;
-constexpr double kLeastEndAngle = 55.0 * kDegree;  // at the two corners of a strip's end
-constexpr double kLargestEndAngle = 125.0 * kDegree;
+constexpr double kLeastEndAngle = 55.0 * kDegree;     // at the two corners of a strip's end
+constexpr double kLargestEndAngle = 125.0 * kDegree;  // the same
 constexpr double kTipTurn = 60.0 * kDegree;  // of a convex corner that runs ahead of the front
 // Between a rung, or a bridging triangle's side, and the front's edges beside it.
 constexpr double kLeastRungAngle = 45.0 * kDegree;

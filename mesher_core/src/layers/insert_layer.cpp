@@ -29,12 +29,9 @@ void undo(LayerState& state, Kid& kid) {
     mesh.data(kid.vertex).parent = VertexH();
     return;
   }
-  const HalfedgeH first = mesh.outgoing(kid.vertex);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around(kid.vertex)) {
     mesh.set_frozen(h, false);
-    h = mesh.rotate_cw(h);
-  } while (h != first);
+  }
   mesh.data(kid.vertex).layer = 0;
   mesh.data(kid.vertex).parent = VertexH();
   remove_core_vertex(mesh, kid.vertex, Removal::kForced, state.limits, state.report.vetoes);

@@ -6,8 +6,8 @@
 namespace advlayers {
 namespace {
 
-constexpr double kMostLayers = 1e6;
-constexpr double kLeastLogGrowth = 1e-6;
+constexpr double kMostLayers = 1e6;       // as good as never
+constexpr double kLeastLogGrowth = 1e-6;  // a growth below makes a height no nearer to it
 
 // Layers until the height reaches the length, if the length stays.
 double layers_needed(const FrontNode& node, const NodeShape& shape) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/angles.h"
 #include "base/directions.h"
 #include "layers/chain_end.h"
 #include "layers/concave_scaling.h"
@@ -13,8 +14,8 @@
 namespace advlayers {
 namespace {
 
-constexpr double kCurved = 15.0 * M_PI / 180.0;  // that an edge turns with the surface
-constexpr double kLongestOfEdge = 1.2;
+constexpr double kCurved = 15.0 * kDegree;  // that an edge turns with the surface
+constexpr double kLongestOfEdge = 1.2;      // height over such an edge's length
 
 class HeightSetter {
  public:

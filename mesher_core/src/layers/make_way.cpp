@@ -15,9 +15,7 @@ VertexH nearest_core(const SurfaceMesh& mesh, VertexH v, double reach,
                      const std::vector<VertexH>& refused, double& distance) {
   VertexH nearest;
   distance = reach;
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around(v)) {
     const VertexH w = mesh.to(h);
     if (is_core_vertex(mesh, w) && std::find(refused.begin(), refused.end(), w) == refused.end()) {
       const double d = (mesh.position(w) - mesh.position(v)).norm();
@@ -26,8 +24,7 @@ VertexH nearest_core(const SurfaceMesh& mesh, VertexH v, double reach,
         nearest = w;
       }
     }
-    h = mesh.rotate_cw(h);
-  } while (h != first);
+  }
   return nearest;
 }
 

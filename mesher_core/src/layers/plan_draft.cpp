@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kFanLayers = 2;                // fan edges are exempt from collapse this long
 constexpr double kEndTurn = 50.0 * kDegree;  // of both nodes at the end of a strip
-constexpr double kLeastCellAngle = 4.0 * kDegree;
+constexpr double kLeastCellAngle =
+    4.0 * kDegree;  // and its supplement at most: thin cells are sound
 
 }  // namespace
 

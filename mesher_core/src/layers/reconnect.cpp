@@ -46,7 +46,8 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
   double least = INFINITY, largest = 0.0, deviation = 1.0, fold = 1.0;
   least_tangent = INFINITY;
   Vec3 last = Vec3::Zero();
-  for (HalfedgeH o = mesh.rotate_ccw(h); o != h; o = mesh.rotate_ccw(o)) {
+  for (const HalfedgeH o : mesh.around_ccw(h)) {
+    if (o == h) continue;
     const Corner p = corner(mesh, mesh.to(o));
     const Corner q = corner(mesh, mesh.to(mesh.next(o)));
     allowed = std::min(allowed, deviation_cosine(old, p, q));
@@ -77,33 +78,26 @@ Veto collapse_quality(const SurfaceMesh& mesh, HalfedgeH h, Removal removal,
 Collapse best_collapse(const SurfaceMesh& mesh, VertexH v, Removal removal,
                        const ReconnectLimits& limits, VetoTally& tally) {
   Collapse best;
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around(v)) {
     double tangent = 0.0;
     Veto veto = mesh.collapse_veto(h);
     if (veto == Veto::kNone) veto = collapse_quality(mesh, h, removal, limits, tangent);
     count(tally, veto);
     if (veto == Veto::kNone && tangent > best.tangent) best = {h, tangent};
-    h = mesh.rotate_cw(h);
-  } while (h != first);
+  }
   return best;
 }
 
 // Swaps one edge away from v; false if none can be.
 bool lower_valence(SurfaceMesh& mesh, VertexH v, VetoTally& tally) {
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH h = first;
-  do {
-    const HalfedgeH following = mesh.rotate_cw(h);
+  for (const HalfedgeH h : mesh.around(v)) {
     const Veto veto = orientation_veto(mesh, h);
     count(tally, veto);
     if (veto == Veto::kNone) {
       mesh.flip(h);
       return true;
     }
-    h = following;
-  } while (h != first);
+  }
   return false;
 }
 
@@ -165,8 +159,7 @@ void SwapQueue::run(const ReconnectLimits& limits, VetoTally& tally) {
     const FaceH f = faces_.back();
     faces_.pop_back();
     if (!mesh_->alive(f) || mesh_->data(f).layer > 0) continue;
-    HalfedgeH h = mesh_->halfedge(f);
-    for (int k = 0; k < 3; ++k, h = mesh_->next(h)) {
+    for (const HalfedgeH h : mesh_->sides(f)) {
       const Veto veto = quality_veto(*mesh_, h, limits);
       count(tally, veto);
       if (veto != Veto::kNone) continue;

@@ -45,9 +45,7 @@ struct Trace {
 // The first crossed edge opposite `a`, or the vertex hit at once.
 Trace start_trace(const SurfaceMesh& mesh, VertexH a, const Cut& cut) {
   Trace trace;
-  const HalfedgeH first = mesh.outgoing(a);
-  HalfedgeH o = first;
-  do {
+  for (const HalfedgeH o : mesh.around(a)) {
     const VertexH p = mesh.to(o);
     const int side_p = cut.side(mesh.position(p));
     if (side_p == 0 && cut.ahead(mesh.position(p))) {
@@ -61,8 +59,7 @@ Trace start_trace(const SurfaceMesh& mesh, VertexH a, const Cut& cut) {
         trace.crossed.push_back(mesh.next(o));
       }
     }
-    o = mesh.rotate_cw(o);
-  } while (o != first);
+  }
   return trace;
 }
 
@@ -160,13 +157,13 @@ struct Barycentric {
 Barycentric barycentric(const SurfaceMesh& mesh, FaceH f, const Corner& target) {
   Barycentric result;
   double sum = 0.0;
-  HalfedgeH h = mesh.halfedge(f);
-  for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+  std::size_t side = 0;
+  for (const HalfedgeH h : mesh.sides(f)) {
     const Vec3 p = mesh.position(mesh.from(h)) - target.xyz;
     const Vec3 q = mesh.position(mesh.to(h)) - target.xyz;
-    result.edges[k] = h;
-    result.values[k] = p.cross(q).dot(target.normal);
-    sum += result.values[k];
+    result.edges[side] = h;
+    result.values[side] = p.cross(q).dot(target.normal);
+    sum += result.values[side++];
   }
   for (double& value : result.values) value /= sum;
   for (int pass = 0; pass < 2; ++pass) {
@@ -261,8 +258,7 @@ std::vector<FaceH> clear_region(SurfaceMesh& mesh, HalfedgeH h, std::size_t most
     faces.assign(1, mesh.face(h));
     VertexH inside;
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      HalfedgeH e = mesh.halfedge(faces[i]);
-      for (int k = 0; k < 3; ++k, e = mesh.next(e)) {
+      for (const HalfedgeH e : mesh.sides(faces[i])) {
         if (is_core_vertex(mesh, mesh.to(e))) inside = mesh.to(e);
         if (mesh.frozen(e)) continue;
         const FaceH beyond = mesh.face(SurfaceMesh::twin(e));

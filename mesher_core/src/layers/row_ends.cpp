@@ -10,7 +10,7 @@
 namespace advlayers {
 namespace {
 
-constexpr double kLeastRowEndAngle = 30.0 * kDegree;
+constexpr double kLeastRowEndAngle = 30.0 * kDegree;  // and its supplement at most
 constexpr double kNeighbourTurn = 40.0 * kDegree;  // beside a corner the front is nearly straight
 constexpr double kRowEndHeights = 2.5;             // its quad is no higher than this many heights
 

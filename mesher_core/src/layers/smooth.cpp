@@ -73,18 +73,13 @@ Vec3 force(const SurfaceMesh& mesh, const LayerPlan& plan, const Spring& spring)
 // Every corner about v stays convex with v at `moved`.
 bool stays_upright(const SurfaceMesh& mesh, VertexH v, const Corner& moved) {
   const auto at = [&](VertexH w) { return w == v ? moved : corner(mesh, w); };
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH o = first;
-  do {
-    HalfedgeH h = o;
-    do {
+  for (const HalfedgeH o : mesh.around(v)) {
+    for (const HalfedgeH h : mesh.sides(o)) {
       const HalfedgeH n = mesh.next(h);
       const double angle = inner_angle(at(mesh.from(h)), at(mesh.to(h)), at(mesh.to(n)));
       if (angle < kLeastAngle || angle > M_PI - kLeastAngle) return false;
-      h = n;
-    } while (h != o);
-    o = mesh.rotate_cw(o);
-  } while (o != first);
+    }
+  }
   return true;
 }
 

@@ -11,13 +11,10 @@ constexpr int kKeptLayers = 5;
 bool is_free(const SurfaceMesh& mesh, VertexH v) {
   const VertexData& data = mesh.data(v);
   if (!mesh.alive(v) || data.support != Support::kPatch || data.layer != 0) return false;
-  const HalfedgeH first = mesh.outgoing(v);
-  if (!first.valid()) return false;
-  HalfedgeH h = first;
-  do {
+  if (!mesh.outgoing(v).valid()) return false;
+  for (const HalfedgeH h : mesh.around(v)) {
     if (mesh.is_border(h) || mesh.frozen(h) || !is_core(mesh, mesh.face(h))) return false;
-    h = mesh.rotate_cw(h);
-  } while (h != first);
+  }
   return true;
 }
 
@@ -37,13 +34,10 @@ std::vector<VertexH> seam_vertices(const SurfaceMesh& mesh) {
     if (!mesh.alive(f) || !is_core(mesh, f)) continue;
     corners.clear();
     bool any_free = false;
-    const HalfedgeH first = mesh.halfedge(f);
-    HalfedgeH h = first;
-    do {
+    for (const HalfedgeH h : mesh.sides(f)) {
       corners.push_back(mesh.to(h));
       any_free = any_free || is_free(mesh, mesh.to(h));
-      h = mesh.next(h);
-    } while (h != first);
+    }
     if (any_free) continue;
     for (const VertexH v : corners) {
       const VertexData& data = mesh.data(v);
@@ -73,8 +67,7 @@ void return_to_core(SurfaceMesh& mesh) {
     const FaceH f(i);
     if (!mesh.alive(f) || is_core(mesh, f) || mesh.is_triangle(mesh.halfedge(f))) continue;
     bool extruded = false;
-    HalfedgeH h = mesh.halfedge(f);
-    for (int k = 0; k < 4; ++k, h = mesh.next(h)) extruded = extruded || is_extrusion(mesh, h);
+    for (const HalfedgeH h : mesh.sides(f)) extruded = extruded || is_extrusion(mesh, h);
     if (!extruded) mesh.data(f).layer = 0;
   }
 }

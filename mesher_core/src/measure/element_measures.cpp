@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/ties.h"
 
 namespace advlayers {
 namespace {
 
-constexpr double kDegreesPerRadian = 57.295779513082320877;
 // Cosine of the furthest that a quad may lean from the surface at one of its corners.
 constexpr double kLeastLean = 0.25;
 // Squared sine of the least angle by which a corner stays below 180 degrees as the surface sees it:
@@ -19,12 +19,9 @@ constexpr double kLeastTurn = 1e-3;
 
 ElementCorners corners_of(const SurfaceMesh& mesh, FaceH face) {
   ElementCorners element;
-  const HalfedgeH first = mesh.halfedge(face);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.sides(face)) {
     element.at[static_cast<std::size_t>(element.count++)] = mesh.position(mesh.from(h));
-    h = mesh.next(h);
-  } while (h != first && element.count < 4);
+  }
   return element;
 }
 
@@ -48,7 +45,7 @@ std::array<double, 4> interior_angles(const ElementCorners& element) {
     const Vec3 ahead = element.next(k) - at;
     const Vec3 behind = element.prev(k) - at;
     const Vec3 turn = ahead.cross(behind);
-    const double angle = kDegreesPerRadian * std::atan2(turn.norm(), ahead.dot(behind));
+    const double angle = std::atan2(turn.norm(), ahead.dot(behind)) / kDegree;
     angles[static_cast<std::size_t>(k)] = turn.dot(normal) < 0.0 ? 360.0 - angle : angle;
   }
   return angles;

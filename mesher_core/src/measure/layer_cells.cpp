@@ -4,9 +4,7 @@ namespace advlayers {
 
 bool is_layer_cell(const SurfaceMesh& mesh, FaceH f) {
   if (mesh.data(f).layer > 0) return true;
-  const HalfedgeH first = mesh.halfedge(f);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.sides(f)) {
     const HalfedgeH beyond = SurfaceMesh::twin(h);
     if (!mesh.is_border(beyond)) {
       const int layer = mesh.data(mesh.face(beyond)).layer;
@@ -14,8 +12,7 @@ bool is_layer_cell(const SurfaceMesh& mesh, FaceH f) {
       // Vertices of the border count as of no layer.
       if (layer > 1 && lower == layer - 1 && other == layer - 1) return true;
     }
-    h = mesh.next(h);
-  } while (h != first);
+  }
   return false;
 }
 

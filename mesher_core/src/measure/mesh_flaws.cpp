@@ -30,11 +30,11 @@ void judge_element(const SurfaceMesh& mesh, FaceH f, MeshFlaws& flaws) {
 // Along a line that no plane of symmetry is square to: what is near is near along it, too.
 double place_of(const Vec3& p) { return p.dot(Vec3(0.5477225575, 0.6324555320, 0.5477225575)); }
 
-std::vector<VertexH> coincident_vertices(const SurfaceMesh& mesh, double tolerance) {
+std::vector<VertexH> coincident_vertices(const RunContext& context, const SurfaceMesh& mesh,
+                                         double tolerance) {
   struct Placed {
     double place;
     VertexH v;
-    bool operator<(const Placed& o) const { return place < o.place; }
   };
   std::vector<Placed> placed;
   placed.reserve(mesh.vertex_capacity());
@@ -42,9 +42,13 @@ std::vector<VertexH> coincident_vertices(const SurfaceMesh& mesh, double toleran
     const VertexH v(i);
     if (mesh.alive(v)) placed.push_back({place_of(mesh.position(v)), v});
   }
-  std::sort(placed.begin(), placed.end());
+  std::sort(placed.begin(), placed.end(), [&context](const Placed& a, const Placed& b) {
+    context.check();
+    return a.place < b.place;
+  });
   std::vector<VertexH> found;
   for (std::size_t i = 0; i < placed.size(); ++i) {
+    context.check();
     const VertexH v = placed[i].v;
     for (std::size_t j = i + 1; j < placed.size() && placed[j].place - placed[i].place <= tolerance;
          ++j) {
@@ -61,12 +65,13 @@ std::vector<VertexH> coincident_vertices(const SurfaceMesh& mesh, double toleran
 
 }  // namespace
 
-MeshFlaws find_mesh_flaws(const SurfaceMesh& mesh, double tolerance) {
+MeshFlaws find_mesh_flaws(const RunContext& context, const SurfaceMesh& mesh, double tolerance) {
   MeshFlaws flaws;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    context.check();
     if (mesh.alive(FaceH(i))) judge_element(mesh, FaceH(i), flaws);
   }
-  flaws.coincident = coincident_vertices(mesh, tolerance);
+  flaws.coincident = coincident_vertices(context, mesh, tolerance);
   return flaws;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/run_context.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
@@ -17,6 +18,7 @@ constexpr double kNeedle = 0.1;  // [degrees]
 
 // Vertices are in one place where they are nearer to each other than `tolerance` [mm]. Two on the
 // boundary are the shape's: it touches itself there, or has two edges in one place.
-MeshFlaws find_mesh_flaws(const SurfaceMesh& mesh, double tolerance);
+// Throws Cancelled.
+MeshFlaws find_mesh_flaws(const RunContext& context, const SurfaceMesh& mesh, double tolerance);
 
 }  // namespace advlayers

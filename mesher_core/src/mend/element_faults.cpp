@@ -10,8 +10,8 @@ namespace {
 // The corners' normals decide where all agree with the element by this cosine; the projection of
 // the centroid is spared then.
 constexpr double kClearlyUpright = 0.55;
-constexpr double kBent = -0.2;  // cosine at a corner
-constexpr int kTurnedOver = 4, kFolded = kInvalid;
+constexpr double kBent = -0.2;                      // cosine at a corner
+constexpr int kTurnedOver = 4, kFolded = kInvalid;  // weights of faults
 
 Vec3 area_of(const SurfaceMesh& mesh, const FaceCorners& v) {
   const Vec3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]);
@@ -50,12 +50,9 @@ bool is_bent(const SurfaceMesh& mesh, const FaceCorners& corners) {
 
 FaceCorners corners_around(const SurfaceMesh& mesh, FaceH face) {
   FaceCorners corners;
-  const HalfedgeH first = mesh.halfedge(face);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.sides(face)) {
     corners.vertex[corners.count++] = mesh.from(h);
-    h = mesh.next(h);
-  } while (h != first && corners.count < 4);
+  }
   return corners;
 }
 

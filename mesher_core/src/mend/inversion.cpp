@@ -14,7 +14,7 @@
 namespace advlayers {
 namespace {
 
-constexpr int kPasses = 7;
+constexpr int kPasses = 7;               // over all faulty elements: mending one may free another
 constexpr int kMostThoroughly = 200;     // faulty elements whose vertices are moved about
 constexpr double kSplitBend = 0.5;       // cosine between the normals at an edge's ends
 constexpr double kFaultCost = 100.0;     // of a fault, against the shape of a triangle
@@ -133,23 +133,17 @@ bool Mender::is_loose(VertexH v) const {
   const VertexData& data = mesh_.data(v);
   if (mesh_.is_border(v) || data.node.valid() || data.support == Support::kVertex) return false;
   if (data.support == Support::kPatch) return true;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around(v)) {
     if (mesh_.curve(h).valid()) return false;
-    h = mesh_.rotate_cw(h);
-  } while (h != first);
+  }
   return true;
 }
 
 std::vector<FaceH> Mender::faces_about(VertexH v) const {
   std::vector<FaceH> faces;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around(v)) {
     if (!mesh_.is_border(h)) faces.push_back(mesh_.face(h));
-    h = mesh_.rotate_cw(h);
-  } while (h != first);
+  }
   return faces;
 }
 
@@ -161,12 +155,9 @@ bool Mender::may_move(VertexH v) const {
 
 int Mender::faults_about(VertexH v) {
   int faulty = 0;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around(v)) {
     if (!mesh_.is_border(h)) faulty += faults(mesh_.face(h));
-    h = mesh_.rotate_cw(h);
-  } while (h != first);
+  }
   return faulty;
 }
 
@@ -175,12 +166,9 @@ bool Mender::relocate(VertexH v) {
   const VertexData before = mesh_.data(v);
   if (!is_loose(v) || !may_move(v)) return false;
   std::vector<Vec3> beside;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around(v)) {
     beside.push_back(mesh_.position(mesh_.to(h)));
-    h = mesh_.rotate_cw(h);
-  } while (h != first);
+  }
   Vec3 mean = Vec3::Zero();
   for (const Vec3& xyz : beside) mean += xyz / static_cast<double>(beside.size());
   beside.push_back(mean);
@@ -235,15 +223,12 @@ bool Mender::remove(VertexH v) {
   if (!is_loose(v) || mesh_.data(v).layer != 0) return false;
   std::vector<FaceH> star;
   std::vector<VertexH> ring;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around_ccw(v)) {
     star.push_back(mesh_.face(h));
     for (HalfedgeH side = mesh_.next(h); mesh_.to(side) != v; side = mesh_.next(side)) {
       ring.push_back(mesh_.from(side));
     }
-    h = mesh_.rotate_ccw(h);
-  } while (h != first);
+  }
   return recut_cavity(star, ring);
 }
 
@@ -251,9 +236,7 @@ bool Mender::remove(VertexH v) {
 bool Mender::recut_about(FaceH face) {
   std::vector<FaceH> cavity{face};
   std::vector<VertexH> ring;
-  const HalfedgeH first = mesh_.halfedge(face);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.sides(face)) {
     const HalfedgeH t = SurfaceMesh::twin(h);
     ring.push_back(mesh_.from(h));
     const bool joins = !mesh_.is_border(t) && mesh_.is_triangle(t) && !mesh_.curve(h).valid();
@@ -261,8 +244,7 @@ bool Mender::recut_about(FaceH face) {
       cavity.push_back(mesh_.face(t));
       ring.push_back(mesh_.to(mesh_.next(t)));
     }
-    h = mesh_.next(h);
-  } while (h != first);
+  }
   return recut_cavity(cavity, ring);
 }
 
@@ -310,8 +292,7 @@ bool Mender::mend_about(FaceH face, bool thoroughly) {
 bool Mender::mend_by_edges(FaceH face) {
   const HalfedgeH first = mesh_.halfedge(face);
   if (!mesh_.is_triangle(first) && divide_quad(face, faults(face) - 1)) return true;
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.sides(face)) {
     const HalfedgeH t = SurfaceMesh::twin(h);
     if (!mesh_.is_border(t)) {
       const bool left = mesh_.is_triangle(h), right = mesh_.is_triangle(t);
@@ -319,8 +300,7 @@ bool Mender::mend_by_edges(FaceH face) {
       if (left && !right && recut_beside(h)) return true;
       if (!left && right && recut_beside(t)) return true;
     }
-    h = mesh_.next(h);
-  } while (h != first);
+  }
   return false;
 }
 

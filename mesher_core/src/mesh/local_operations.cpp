@@ -111,7 +111,8 @@ Veto SurfaceMesh::collapse_veto(HalfedgeH h) const {
     if (valence(apex) <= (is_border(apex) ? 2 : 3)) return Veto::kLink;
   }
   // No face but the two beside h may hold both ends, and they share no neighbour but c and d.
-  for (HalfedgeH o = rotate_cw(h); o != h; o = rotate_cw(o)) {
+  for (const HalfedgeH o : around(h)) {
+    if (o == h) continue;
     const VertexH w = to(o);
     if (w != c && w != d && find_halfedge(w, b).valid()) return Veto::kLink;
     if (!is_triangle(o) && to(next(o)) == b && o != t) return Veto::kLink;
@@ -125,11 +126,7 @@ void SurfaceMesh::collapse(HalfedgeH h) {
   const HalfedgeH hn = next(h), hp = prev(h), tn = next(t), tp = prev(t);
   const FaceH f = face(h), g = face(t);
   const VertexH c = to(hn), d = to(tn);
-  HalfedgeH o = h;
-  do {
-    to_[twin(o).index()] = b;
-    o = rotate_cw(o);
-  } while (o != h);
+  for (const HalfedgeH o : around(h)) to_[twin(o).index()] = b;
   // The kept edge (b, c) takes the place of (a, c) in the face beyond it; likewise (d, b).
   merge_edges(hn, twin(hp));
   merge_edges(tp, twin(tn));
@@ -149,11 +146,9 @@ void SurfaceMesh::collapse(HalfedgeH h) {
     observer->face_deleted(*this, g);
   }
   if (!observers_.empty()) {
-    o = outgoing(b);
-    do {
+    for (const HalfedgeH o : around(b)) {
       if (!is_border(o)) notify_face_changed(face(o));
-      o = rotate_cw(o);
-    } while (o != outgoing(b));
+    }
   }
 }
 

@@ -27,7 +27,7 @@ Values gathered_by_edge(const Values& values, const std::vector<HalfedgeH>& from
 }  // namespace
 
 // Live half-edges in their new order: each edge from its lesser vertex first.
-std::vector<HalfedgeH> SurfaceMesh::halfedges_by_vertices() const {
+std::vector<HalfedgeH> SurfaceMesh::halfedges_by_vertices(const RunContext& context) const {
   std::vector<HalfedgeH> ahead;
   ahead.reserve(static_cast<std::size_t>(live_edges_));
   for (std::size_t i = 0; i < to_.size(); i += 2) {
@@ -35,8 +35,10 @@ std::vector<HalfedgeH> SurfaceMesh::halfedges_by_vertices() const {
     if (alive(h)) ahead.push_back(from(h) < to(h) ? h : twin(h));
   }
   const auto ends = [this](HalfedgeH h) { return std::make_tuple(from(h), to(h)); };
-  std::sort(ahead.begin(), ahead.end(),
-            [&](HalfedgeH a, HalfedgeH b) { return ends(a) < ends(b); });
+  std::sort(ahead.begin(), ahead.end(), [&](HalfedgeH a, HalfedgeH b) {
+    context.check();
+    return ends(a) < ends(b);
+  });
   std::vector<HalfedgeH> order;
   order.reserve(2 * ahead.size());
   for (const HalfedgeH h : ahead) order.insert(order.end(), {h, twin(h)});
@@ -45,22 +47,24 @@ std::vector<HalfedgeH> SurfaceMesh::halfedges_by_vertices() const {
 
 HalfedgeH SurfaceMesh::from_least_corner(FaceH f) const {
   HalfedgeH least = halfedge(f);
-  for (HalfedgeH h = next(least); h != halfedge(f); h = next(h)) {
+  for (const HalfedgeH h : sides(f)) {
     if (from(h) < from(least)) least = h;
   }
   return least;
 }
 
-void SurfaceMesh::put_in_order() {
-  const std::vector<HalfedgeH> halves = halfedges_by_vertices();
+void SurfaceMesh::put_in_order(const RunContext& context) {
+  const std::vector<HalfedgeH> halves = halfedges_by_vertices(context);
   std::vector<HalfedgeH> corners;  // one half-edge of each live face
   corners.reserve(static_cast<std::size_t>(live_faces_));
   for (std::size_t i = 0; i < face_halfedge_.size(); ++i) {
     if (alive(FaceH(i))) corners.push_back(from_least_corner(FaceH(i)));
   }
   const auto ends = [this](HalfedgeH h) { return std::make_tuple(from(h), to(h)); };
-  std::sort(corners.begin(), corners.end(),
-            [&](HalfedgeH a, HalfedgeH b) { return ends(a) < ends(b); });
+  std::sort(corners.begin(), corners.end(), [&](HalfedgeH a, HalfedgeH b) {
+    context.check();
+    return ends(a) < ends(b);
+  });
 
   std::vector<HalfedgeH> half_to(to_.size());
   for (std::size_t k = 0; k < halves.size(); ++k) half_to[halves[k].index()] = HalfedgeH(k);

@@ -18,17 +18,14 @@ struct Disc {
 
   Disc(const SurfaceMesh& mesh, const std::vector<FaceH>& faces) {
     for (const FaceH f : faces) {
-      const HalfedgeH first = mesh.halfedge(f);
-      HalfedgeH h = first;
-      do {
+      for (const HalfedgeH h : mesh.sides(f)) {
         const HalfedgeH t = SurfaceMesh::twin(h);
         if (mesh.is_border(t) || !contains(faces, mesh.face(t))) {
           loop.push_back(h);
         } else if (h.value < t.value) {
           within.push_back(h);
         }
-        h = mesh.next(h);
-      } while (h != first);
+      }
     }
   }
 };

@@ -82,14 +82,46 @@ void SurfaceMesh::remove_vertex(VertexH v) {
   --live_vertices_;
 }
 
-void SurfaceMesh::build(const std::vector<std::vector<VertexH>>& faces) { build_of(faces); }
+void SurfaceMesh::build(const std::vector<std::vector<VertexH>>& faces) {
+  build_of(RunContext(), faces);
+}
 
-void SurfaceMesh::build_triangles(const std::vector<std::array<VertexH, 3>>& triangles) {
-  build_of(triangles);
+void SurfaceMesh::build(const RunContext& context, const std::vector<std::vector<VertexH>>& faces) {
+  build_of(context, faces);
+}
+
+void SurfaceMesh::build_triangles(const RunContext& context,
+                                  const std::vector<std::array<VertexH, 3>>& triangles) {
+  build_of(context, triangles);
+}
+
+SurfaceMesh SurfaceMesh::copy(const RunContext& context) const {
+  SurfaceMesh made;
+  const auto take = [&](auto member) {
+    context.check();  // one of them at a time takes some milliseconds of a large mesh
+    made.*member = this->*member;
+  };
+  take(&SurfaceMesh::to_);
+  take(&SurfaceMesh::next_);
+  take(&SurfaceMesh::prev_);
+  take(&SurfaceMesh::face_);
+  take(&SurfaceMesh::frozen_);
+  take(&SurfaceMesh::curve_);
+  take(&SurfaceMesh::vertex_out_);
+  take(&SurfaceMesh::vertex_alive_);
+  take(&SurfaceMesh::vertex_data_);
+  take(&SurfaceMesh::face_halfedge_);
+  take(&SurfaceMesh::face_data_);
+  take(&SurfaceMesh::free_edges_);
+  take(&SurfaceMesh::free_faces_);
+  take(&SurfaceMesh::live_vertices_);
+  take(&SurfaceMesh::live_edges_);
+  take(&SurfaceMesh::live_faces_);
+  return made;
 }
 
 template <class Faces>
-void SurfaceMesh::build_of(const Faces& faces) {
+void SurfaceMesh::build_of(const RunContext& context, const Faces& faces) {
   // Half-edges so far, chained by the vertex they start from: a hash map of all would cost more
   // than the rest of the building.
   std::vector<HalfedgeH> newest(vertex_out_.size()), older(to_.size());
@@ -103,6 +135,7 @@ void SurfaceMesh::build_of(const Faces& faces) {
     newest[from(h).index()] = h;
   };
   for (const auto& corners : faces) {
+    context.check();
     const FaceH f = add_face();
     HalfedgeH first, last;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -150,22 +183,13 @@ void SurfaceMesh::link_border() {
 
 int SurfaceMesh::degree(FaceH f) const {
   int n = 0;
-  HalfedgeH h = halfedge(f);
-  do {
-    ++n;
-    h = next(h);
-  } while (h != halfedge(f));
+  for ([[maybe_unused]] const HalfedgeH side : sides(f)) ++n;
   return n;
 }
 
 int SurfaceMesh::valence(VertexH v) const {
   int n = 0;
-  const HalfedgeH first = outgoing(v);
-  HalfedgeH h = first;
-  do {
-    ++n;
-    h = rotate_cw(h);
-  } while (h != first);
+  for ([[maybe_unused]] const HalfedgeH spoke : around(v)) ++n;
   return n;
 }
 

@@ -10,9 +10,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/run_context.h"
 #include "base/types.h"
 #include "mesh/mesh_observer.h"
 #include "mesh/mesh_types.h"
+#include "mesh/ring.h"
 
 namespace advlayers {
 
@@ -22,9 +24,13 @@ class SurfaceMesh {
   VertexH add_vertex(const VertexData& data);
   // Makes all faces at once from vertex lists (3 or 4 indices, counter-clockwise). Vertices of no
   // face vanish.
-  // Throws InternalError where the result is no manifold with border.
-  void build(const std::vector<std::vector<VertexH>>& faces);
-  void build_triangles(const std::vector<std::array<VertexH, 3>>& triangles);
+  // Throws InternalError where the result is no manifold with border; with a context, Cancelled.
+  void build(const std::vector<std::vector<VertexH>>& faces);  // few of them
+  void build(const RunContext& context, const std::vector<std::vector<VertexH>>& faces);
+  void build_triangles(const RunContext& context,
+                       const std::vector<std::array<VertexH, 3>>& triangles);
+  // The same mesh, without its observers. Throws Cancelled.
+  SurfaceMesh copy(const RunContext& context) const;
 
   // --- sizes: capacities count tombstones, live counts do not ---
   std::size_t vertex_capacity() const { return vertex_out_.size(); }
@@ -51,6 +57,18 @@ class SurfaceMesh {
   // Next outgoing half-edge about from(h): counter-clockwise, clockwise.
   HalfedgeH rotate_ccw(HalfedgeH h) const { return twin(prev(h)); }
   HalfedgeH rotate_cw(HalfedgeH h) const { return next(twin(h)); }
+  // Rings, to loop over: the outgoing half-edges about a vertex or from one of them on, clockwise
+  // where not said otherwise; the half-edges of a face, or those that follow one along its face or
+  // hole.
+  using Star = Ring<SurfaceMesh, &SurfaceMesh::rotate_cw>;
+  using StarCcw = Ring<SurfaceMesh, &SurfaceMesh::rotate_ccw>;
+  using Loop = Ring<SurfaceMesh, &SurfaceMesh::next>;
+  Star around(VertexH v) const { return {*this, outgoing(v)}; }
+  Star around(HalfedgeH first) const { return {*this, first}; }
+  StarCcw around_ccw(VertexH v) const { return {*this, outgoing(v)}; }
+  StarCcw around_ccw(HalfedgeH first) const { return {*this, first}; }
+  Loop sides(FaceH f) const { return {*this, halfedge(f)}; }
+  Loop sides(HalfedgeH first) const { return {*this, first}; }
   bool is_border(VertexH v) const { return is_border(outgoing(v)); }
   bool is_triangle(HalfedgeH h) const;  // the face left of h
   int degree(FaceH f) const;
@@ -121,17 +139,18 @@ class SurfaceMesh {
 
   // Numbers edges and faces by their vertices, so that meshes that are equal but for the way that
   // they came about are the same. Their tombstones go; handles to them held outside are void.
-  void put_in_order();
+  // Throws Cancelled, before anything is changed.
+  void put_in_order(const RunContext& context);
 
  private:
   HalfedgeH add_edge(VertexH from, VertexH to);
   FaceH add_face();
   void link(HalfedgeH a, HalfedgeH b);
   template <class Faces>
-  void build_of(const Faces& faces);
+  void build_of(const RunContext& context, const Faces& faces);
   void link_border();
   void set_triangle(FaceH f, HalfedgeH a, HalfedgeH b, HalfedgeH c);
-  std::vector<HalfedgeH> halfedges_by_vertices() const;
+  std::vector<HalfedgeH> halfedges_by_vertices(const RunContext& context) const;
   HalfedgeH from_least_corner(FaceH f) const;
   void set_outgoing();
   void merge_edges(HalfedgeH kept, HalfedgeH gone);

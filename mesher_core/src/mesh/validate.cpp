@@ -28,12 +28,10 @@ std::string vertex_fault(const SurfaceMesh& mesh, VertexH v, const std::vector<i
     return at("outgoing half-edge starts elsewhere than vertex", v.index());
   int n = 0;
   bool border = false;
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around(v)) {
     border = border || mesh.is_border(h);
-    h = mesh.rotate_cw(h);
     if (++n > out_degree[v.index()]) break;
-  } while (h != first);
+  }
   if (n != out_degree[v.index()]) return at("the star is no disc at vertex", v.index());
   if (border && !mesh.is_border(first))
     return at("outgoing is not the border one at vertex", v.index());
@@ -43,14 +41,20 @@ std::string vertex_fault(const SurfaceMesh& mesh, VertexH v, const std::vector<i
 }  // namespace
 
 std::string find_connectivity_fault(const SurfaceMesh& mesh) {
+  return find_connectivity_fault(RunContext(), mesh);
+}
+
+std::string find_connectivity_fault(const RunContext& context, const SurfaceMesh& mesh) {
   std::vector<int> out_degree(mesh.vertex_capacity(), 0);
   for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
+    context.check();
     const HalfedgeH h(i);
     if (!mesh.alive(h)) continue;
     if (std::string fault = halfedge_fault(mesh, h); !fault.empty()) return fault;
     ++out_degree[mesh.from(h).index()];
   }
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    context.check();
     const FaceH f(i);
     if (!mesh.alive(f)) continue;
     if (!mesh.alive(mesh.halfedge(f))) return at("dead half-edge of face", i);
@@ -59,6 +63,7 @@ std::string find_connectivity_fault(const SurfaceMesh& mesh) {
     if (n != 3 && n != 4) return at("neither triangle nor quad: face", i);
   }
   for (std::size_t i = 0; i < mesh.vertex_capacity(); ++i) {
+    context.check();
     const VertexH v(i);
     if (!mesh.alive(v)) continue;
     if (std::string fault = vertex_fault(mesh, v, out_degree); !fault.empty()) return fault;
@@ -70,19 +75,14 @@ std::string find_inverted_element(const SurfaceMesh& mesh) {
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     const FaceH f(i);
     if (!mesh.alive(f)) continue;
-    HalfedgeH h = mesh.halfedge(f);
     Vec3 normal = Vec3::Zero();
-    do {
-      normal += mesh.data(mesh.from(h)).normal;
-      h = mesh.next(h);
-    } while (h != mesh.halfedge(f));
-    do {
+    for (const HalfedgeH h : mesh.sides(f)) normal += mesh.data(mesh.from(h)).normal;
+    for (const HalfedgeH h : mesh.sides(f)) {
       const Vec3& p = mesh.position(mesh.to(h));
       const Vec3 a = mesh.position(mesh.from(h)) - p;
       const Vec3 b = mesh.position(mesh.to(mesh.next(h))) - p;
       if (b.cross(a).dot(normal) <= 0.0) return at("inverted element", i);
-      h = mesh.next(h);
-    } while (h != mesh.halfedge(f));
+    }
   }
   return {};
 }

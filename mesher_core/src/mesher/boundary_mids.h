@@ -14,7 +14,7 @@ struct BoundaryMid {
   Vec3 curve, chord;  // halfway along the curve between the ends, and between them in space
   int eased = 0;      // steps of kEasings back from the curve to the chord
 
-  static constexpr int kEasings = 4;
+  static constexpr int kEasings = 4;  // steps from the curve to the chord
   Vec3 at() const { return curve + (eased / double(kEasings)) * (chord - curve); }
 };
 

@@ -36,7 +36,7 @@ Completion complete_core(const RunContext& context, SurfaceMesh& mesh, PatchSurf
 Completion complete_core_along_edges(const RunContext& context, SurfaceMesh& mesh,
                                      PatchSurface& surface, const Discretization& boundary,
                                      const Settings& settings, LayerCells cells) {
-  SurfaceMesh across = mesh;
+  SurfaceMesh across = mesh.copy(context);
   const int crossing = imprint_edges(context, mesh, surface, boundary);
   collapse_slivers(context, mesh);
   Completion done = complete_core(context, mesh, surface, settings, cells);

@@ -51,7 +51,7 @@ std::vector<Slopes> all_quad_slopes() {
 }
 
 std::vector<Slopes> all_triangle_slopes() {
-  constexpr double kThird = 1.0 / 3.0;
+  constexpr double kThird = 1.0 / 3.0;  // where all three sides count alike
   return {triangle_slopes(0, 0),          triangle_slopes(1, 0),     triangle_slopes(0, 1),
           triangle_slopes(0.5, 0),        triangle_slopes(0.5, 0.5), triangle_slopes(0, 0.5),
           triangle_slopes(kThird, kThird)};

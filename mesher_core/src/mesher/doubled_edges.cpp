@@ -19,8 +19,8 @@ struct Chord {
 };
 
 // Every edge between two boundary nodes: of borders, and inside patches.
-void collect(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
-             std::vector<NodePair>& borders, std::vector<Chord>& chords) {
+void collect(const RunContext& context, const PatchJobs& jobs, std::vector<NodePair>& borders,
+             std::vector<Chord>& chords) {
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     if (!jobs[k]->meshed()) continue;
     const SurfaceMesh& mesh = jobs[k]->mesh();
@@ -44,8 +44,7 @@ void collect(const RunContext& context, const std::vector<std::unique_ptr<PatchJ
 
 }  // namespace
 
-void part_doubled_edges(const RunContext& context,
-                        const std::vector<std::unique_ptr<PatchJob>>& jobs,
+void part_doubled_edges(const RunContext& context, const PatchJobs& jobs,
                         const Discretization& boundary) {
   std::vector<NodePair> borders;
   std::vector<Chord> chords;
@@ -58,7 +57,7 @@ void part_doubled_edges(const RunContext& context,
     }
   }
   for (std::size_t k = 0; k < jobs.size(); ++k) {
-    if (!doubled[k].empty()) jobs[k]->split_edges(doubled[k], boundary);
+    if (!doubled[k].empty()) jobs[k]->split_edges(context, doubled[k], boundary);
   }
 }
 

@@ -13,12 +13,9 @@ constexpr double kHoldsElement = 0.5;  // area of a face, in squares of the size
 
 std::vector<VertexH> corners_of(const SurfaceMesh& mesh, FaceH f) {
   std::vector<VertexH> corners;
-  const HalfedgeH first = mesh.halfedge(f);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.sides(f)) {
     corners.push_back(mesh.from(h));
-    h = mesh.next(h);
-  } while (h != first);
+  }
   return corners;
 }
 
@@ -46,13 +43,15 @@ FaceId face_under_middle(const SurfaceMesh& mesh, const std::vector<VertexH>& co
 
 }  // namespace
 
-ElementFaces find_element_faces(const SurfaceMesh& mesh, PatchSurface& surface,
-                                const Discretization& boundary, const SizeField& sizes) {
+ElementFaces find_element_faces(const RunContext& context, const SurfaceMesh& mesh,
+                                PatchSurface& surface, const Discretization& boundary,
+                                const SizeField& sizes) {
   const FaceSides sides(mesh, surface, boundary);
   ElementFaces found;
   found.of.assign(mesh.face_capacity(), FaceId());
   std::set<FaceId> held, strained;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    context.check();
     const FaceH f(i);
     if (!mesh.alive(f)) continue;
     const std::vector<VertexH> corners = corners_of(mesh, f);

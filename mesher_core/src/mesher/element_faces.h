@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/run_context.h"
 #include "boundary/discretization.h"
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
@@ -19,7 +20,9 @@ struct ElementFaces {
   std::vector<FaceId> strained;
 };
 
-ElementFaces find_element_faces(const SurfaceMesh& mesh, PatchSurface& surface,
-                                const Discretization& boundary, const SizeField& sizes);
+// Throws Cancelled.
+ElementFaces find_element_faces(const RunContext& context, const SurfaceMesh& mesh,
+                                PatchSurface& surface, const Discretization& boundary,
+                                const SizeField& sizes);
 
 }  // namespace advlayers

@@ -6,6 +6,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "base/angles.h"
 #include "base/directions.h"
 #include "geometry/evaluator.h"
 #include "mesher/sewn_edges.h"
@@ -69,7 +70,7 @@ class Estimator {
   }
 
  private:
-  double angle() const { return settings_.curvature_angle * M_PI / 180.0; }
+  double angle() const { return settings_.curvature_angle * kDegree; }
 
   void add_face(FaceId f) {
     const Face& face = model_.face(f);
@@ -155,7 +156,7 @@ class Estimator {
     const auto given = walls_.find(e);
     if (settings_.walls_all) {
       const bool inner = model_.edge(e).faces.size() == 2 &&
-                         model_.dihedral_angle(e) * 180.0 / M_PI < settings_.feature_angle;
+                         model_.dihedral_angle(e) < settings_.feature_angle * kDegree;
       if (inner) return std::nullopt;
       return spacing_of(WallSpec(), settings_);
     }

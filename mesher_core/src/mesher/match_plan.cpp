@@ -12,13 +12,14 @@ namespace {
 
 class MatchPlanner {
  public:
-  MatchPlanner(Evaluator& evaluator, const WallPlan& walls)
-      : evaluator_(evaluator), walls_(walls) {}
+  MatchPlanner(const RunContext& context, Evaluator& evaluator, const WallPlan& walls)
+      : context_(context), evaluator_(evaluator), walls_(walls) {}
 
   MatchPlan run(const std::vector<FaceId>& faces) {
     if (has(EdgeCondition::kMatch) && has(EdgeCondition::kWall)) {
       std::vector<FaceCorner> corners;
       for (const FaceId face : faces) {
+        context_.check();
         const std::vector<FaceCorner> found = corners_of(evaluator_, face);
         corners.insert(corners.end(), found.begin(), found.end());
       }
@@ -43,6 +44,7 @@ class MatchPlanner {
   void follow(FaceCorner corner, const std::vector<FaceCorner>& corners) {
     if (plan_of(corner.in.edge) == nullptr) return;
     for (std::size_t k = 0; k < corners.size() && plan_of(corner.out.edge) == nullptr; ++k) {
+      context_.check();
       const FaceCorner* beyond = nullptr;
       for (const FaceCorner& c : corners) {
         if (c.in.edge == corner.out.edge && c.in.end == corner.out.end) beyond = &c;
@@ -88,6 +90,7 @@ class MatchPlanner {
     plan_.notes.push_back(std::move(note));
   }
 
+  const RunContext& context_;
   Evaluator& evaluator_;
   const WallPlan& walls_;
   MatchPlan plan_;
@@ -95,9 +98,9 @@ class MatchPlanner {
 
 }  // namespace
 
-MatchPlan plan_matches(Evaluator& evaluator, const std::vector<FaceId>& faces,
-                       const WallPlan& walls) {
-  return MatchPlanner(evaluator, walls).run(faces);
+MatchPlan plan_matches(const RunContext& context, Evaluator& evaluator,
+                       const std::vector<FaceId>& faces, const WallPlan& walls) {
+  return MatchPlanner(context, evaluator, walls).run(faces);
 }
 
 }  // namespace advlayers

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/run_context.h"
 #include "boundary/match_end.h"
 #include "geometry/evaluator.h"
 #include "layers/wall_plan.h"
@@ -16,8 +17,8 @@ struct MatchPlan {
 };
 
 // The ends of the patch's match edges that a wall meets at 45 to 135 degrees, inside the patch.
-// Throws GeometryError.
-MatchPlan plan_matches(Evaluator& evaluator, const std::vector<FaceId>& faces,
-                       const WallPlan& walls);
+// Throws GeometryError and Cancelled.
+MatchPlan plan_matches(const RunContext& context, Evaluator& evaluator,
+                       const std::vector<FaceId>& faces, const WallPlan& walls);
 
 }  // namespace advlayers

@@ -11,8 +11,7 @@ constexpr int kUnused = -1;
 
 class Merger {
  public:
-  Merger(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
-         const Discretization& boundary)
+  Merger(const RunContext& context, const PatchJobs& jobs, const Discretization& boundary)
       : jobs_(jobs), boundary_(boundary), context_(context) {}
   MeshResult run();
 
@@ -24,7 +23,7 @@ class Merger {
   void add_edge_segments();
   void add_inner_segments(const SurfaceMesh& mesh, const std::vector<int>& number);
 
-  const std::vector<std::unique_ptr<PatchJob>>& jobs_;
+  const PatchJobs& jobs_;
   const Discretization& boundary_;
   const RunContext& context_;
   std::vector<int> boundary_number_;  // by NodeId
@@ -39,6 +38,7 @@ void Merger::number_boundary_nodes() {
     if (!job->meshed()) continue;
     const SurfaceMesh& mesh = job->mesh();
     for (std::size_t i = 0; i < mesh.vertex_capacity(); ++i) {
+      context_.check();
       const VertexH v(i);
       if (!mesh.alive(v) || !mesh.data(v).node.valid()) continue;
       boundary_number_[mesh.data(v).node.index()] = 0;
@@ -77,6 +77,7 @@ void Merger::add_nodes(const SurfaceMesh& mesh, std::vector<int>& number) {
 
 void Merger::add_parents(const SurfaceMesh& mesh, const std::vector<int>& number) {
   for (std::size_t i = 0; i < number.size(); ++i) {
+    context_.check();
     const VertexH v(i);
     if (!mesh.alive(v) || mesh.data(v).node.valid()) continue;
     const VertexH parent = mesh.data(v).parent;
@@ -94,12 +95,9 @@ void Merger::add_elements(const PatchJob& job, const std::vector<int>& number) {
     if (!mesh.alive(f)) continue;
     std::array<int, 4> corner{};
     std::size_t count = 0;
-    const HalfedgeH first = mesh.halfedge(f);
-    HalfedgeH h = first;
-    do {
+    for (const HalfedgeH h : mesh.sides(f)) {
       corner[count++] = number[mesh.from(h).index()];
-      h = mesh.next(h);
-    } while (h != first && count < 4);
+    }
     if (count == 4) {
       result_.quads.push_back(corner);
       result_.quad_face.push_back(job.face_of(f));
@@ -128,6 +126,7 @@ void Merger::add_edge_segments() {
 // Mesh edges on the model's edges inside a patch, in no order.
 void Merger::add_inner_segments(const SurfaceMesh& mesh, const std::vector<int>& number) {
   for (std::size_t i = 0; i < mesh.halfedge_capacity(); i += 2) {
+    context_.check();
     const HalfedgeH h(i);
     if (!mesh.alive(h) || !mesh.curve(h).valid() || mesh.is_border(h) ||
         mesh.is_border(SurfaceMesh::twin(h))) {
@@ -160,8 +159,7 @@ MeshResult Merger::run() {
 
 }  // namespace
 
-MeshResult merge(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
-                 const Discretization& boundary) {
+MeshResult merge(const RunContext& context, const PatchJobs& jobs, const Discretization& boundary) {
   return Merger(context, jobs, boundary).run();
 }
 

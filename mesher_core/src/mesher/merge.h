@@ -1,7 +1,6 @@
 // Puts the meshes of the patches together: one node per boundary node, whichever patches share it.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "boundary/discretization.h"
@@ -13,7 +12,6 @@ namespace advlayers {
 // Nodes: those on CAD vertices and edges first, in the order of the discretization, then patch by
 // patch; elements patch by patch. Boundary nodes that no meshed patch uses are left out. Fills
 // the arrays, the patches' reports and the diagnostics. Throws Cancelled.
-MeshResult merge(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
-                 const Discretization& boundary);
+MeshResult merge(const RunContext& context, const PatchJobs& jobs, const Discretization& boundary);
 
 }  // namespace advlayers

@@ -15,9 +15,8 @@ constexpr int kUnused = -1;
 
 class MidNodes {
  public:
-  MidNodes(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
-           const Discretization& boundary, const Settings& settings, unsigned threads,
-           const Model& model)
+  MidNodes(const RunContext& context, const PatchJobs& jobs, const Discretization& boundary,
+           const Settings& settings, unsigned threads, const Model& model)
       : boundary_(mids_on_borders(model, boundary)), threads_(threads), context_(context) {
     for (const auto& job : jobs) {
       if (!job->meshed()) continue;
@@ -146,11 +145,8 @@ void MidNodes::number(MeshResult& result) const {
     for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
       if (!mesh.alive(FaceH(i))) continue;
       std::array<int, 4> mids{};
-      HalfedgeH h = mesh.halfedge(FaceH(i));
-      const int count = mesh.degree(FaceH(i));
-      for (int k = 0; k < count; ++k, h = mesh.next(h)) {
-        mids[static_cast<std::size_t>(k)] = of_edge[h.index() >> 1];
-      }
+      std::size_t count = 0;
+      for (const HalfedgeH h : mesh.sides(FaceH(i))) mids[count++] = of_edge[h.index() >> 1];
       if (count == 4) {
         result.quad_mids.push_back(mids);
       } else {
@@ -195,9 +191,9 @@ void MidNodes::report(MeshResult& result) const {
 
 }  // namespace
 
-void add_mid_nodes(const RunContext& context, const std::vector<std::unique_ptr<PatchJob>>& jobs,
-                   const Discretization& boundary, const Settings& settings, unsigned threads,
-                   const Model& model, MeshResult& result) {
+void add_mid_nodes(const RunContext& context, const PatchJobs& jobs, const Discretization& boundary,
+                   const Settings& settings, unsigned threads, const Model& model,
+                   MeshResult& result) {
   MidNodes mids(context, jobs, boundary, settings, threads, model);
   mids.place();
   mids.number(result);

@@ -95,8 +95,9 @@ bool turns_too_much(const StripGrid& grid) {
   return false;
 }
 
-bool is_sound(const SurfaceMesh& mesh, PatchSurface& surface) {
+bool is_sound(const RunContext& context, const SurfaceMesh& mesh, PatchSurface& surface) {
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    context.check();
     const ElementCorners element = corners_of(mesh, FaceH(i));
     const auto angles = interior_angles(element);
     for (int k = 0; k < element.count; ++k) {
@@ -110,8 +111,10 @@ bool is_sound(const SurfaceMesh& mesh, PatchSurface& surface) {
 
 }  // namespace
 
-std::optional<FourSides> find_narrow_strip(Evaluator& evaluator, const std::vector<FaceId>& faces,
-                                           const WallPlan& walls, const Settings& settings) {
+std::optional<FourSides> find_narrow_strip(const RunContext& context, Evaluator& evaluator,
+                                           const std::vector<FaceId>& faces, const WallPlan& walls,
+                                           const Settings& settings) {
+  context.check();
   if (faces.size() != 1 || settings.initial_nodes != nullptr ||
       settings.core != CoreElements::kQuads) {
     return std::nullopt;
@@ -127,16 +130,17 @@ std::optional<FourSides> find_narrow_strip(Evaluator& evaluator, const std::vect
   return strip;
 }
 
-std::optional<SurfaceMesh> mesh_in_rows(Evaluator& evaluator, PatchSurface& surface,
-                                        const Discretization& boundary, const FourSides& strip,
-                                        const WallPlan& walls, const Settings& settings) {
-  const std::optional<StripGrid> grid = StripGrid::lay_out(evaluator, boundary, strip);
+std::optional<SurfaceMesh> mesh_in_rows(const RunContext& context, Evaluator& evaluator,
+                                        PatchSurface& surface, const Discretization& boundary,
+                                        const FourSides& strip, const WallPlan& walls,
+                                        const Settings& settings) {
+  const std::optional<StripGrid> grid = StripGrid::lay_out(context, evaluator, boundary, strip);
   if (!grid || has_room(*grid, StripWalls(strip, walls)) ||
       is_too_wide(*grid, SizeField(settings).of_face(strip.face)) || turns_too_much(*grid)) {
     return std::nullopt;
   }
   SurfaceMesh mesh = grid->mesh();
-  if (!is_sound(mesh, surface)) return std::nullopt;
+  if (!is_sound(context, mesh, surface)) return std::nullopt;
   return mesh;
 }
 

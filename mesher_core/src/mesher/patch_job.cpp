@@ -48,9 +48,9 @@ void PatchJob::plan(const RunContext& context) {
   context.check();
   if (stage_ == Stage::kDefective) return;
   const bool planned = record_.guard("face-not-meshed", [&] {
-    walls_ = plan_walls(evaluator_, *settings_, faces_);
-    matches_ = plan_matches(evaluator_, faces_, walls_);
-    strip_ = find_narrow_strip(evaluator_, faces_, walls_, *settings_);
+    walls_ = plan_walls(context, evaluator_, *settings_, faces_);
+    matches_ = plan_matches(context, evaluator_, faces_, walls_);
+    strip_ = find_narrow_strip(context, evaluator_, faces_, walls_, *settings_);
   });
   if (planned) return;
   stage_ = Stage::kDefective;
@@ -65,13 +65,13 @@ std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
   std::vector<EdgeId> coarse;
   bool in_rows = false;
   bool meshed = record_.guard("face-not-meshed", [&] {
-    resolve_heights(evaluator_, boundary, walls_);
+    resolve_heights(context, evaluator_, boundary, walls_);
     if (walls_.edges.empty()) {
       record_.complain(
           Severity::kInfo, "no-boundary",
           Sentence("{} has no boundary edge that layers could grow from", patch_name(faces_)));
     }
-    in_rows = fill_in_rows(boundary);
+    in_rows = fill_in_rows(context, boundary);
     if (!in_rows) make_triangles(context, boundary, coarse);
   });
   if (!meshed && failed_.empty() && faces_.size() > 1) failed_ = faces_;
@@ -108,9 +108,11 @@ void PatchJob::make_triangles(const RunContext& context, const Discretization& b
 }
 
 // A strip too narrow for layers is finished at once: each of its walls' columns has met the other.
-bool PatchJob::fill_in_rows(const Discretization& boundary) {
+bool PatchJob::fill_in_rows(const RunContext& context, const Discretization& boundary) {
   std::optional<SurfaceMesh> rows;
-  if (strip_) rows = mesh_in_rows(evaluator_, surface_, boundary, *strip_, walls_, *settings_);
+  if (strip_) {
+    rows = mesh_in_rows(context, evaluator_, surface_, boundary, *strip_, walls_, *settings_);
+  }
   stops_.clear();
   if (!rows) return false;
   mesh_ = std::move(*rows);
@@ -153,10 +155,10 @@ void PatchJob::finish(const RunContext& context, const Discretization& boundary)
   end_layers();
   if (stage_ == Stage::kInRows) stage_ = Stage::kFinished;
   if (stage_ != Stage::kGrown) return;
-  const std::string broken = find_connectivity_fault(mesh_);
+  const std::string broken = find_connectivity_fault(context, mesh_);
   if (!broken.empty() && !mend_without_layers(context, broken, boundary)) return;
-  mesh_.put_in_order();
-  const SurfaceMesh before = mesh_;
+  mesh_.put_in_order(context);
+  SurfaceMesh before = mesh_.copy(context);
   const bool done = record_.guard("core-not-improved", [&] {
     return_to_core(mesh_);
     const bool along_edges = surface_.has_inner_edges() && !surface_.faceted();
@@ -172,13 +174,13 @@ void PatchJob::finish(const RunContext& context, const Discretization& boundary)
           Sentence("{}: {} elements of layers were changed, as elements there were turned over",
                    patch_name(faces_), made.of_layers_mended));
     }
-    if (faces_.size() > 1) find_faces(boundary);
-    const std::string fault = find_connectivity_fault(mesh_);
+    if (faces_.size() > 1) find_faces(context, boundary);
+    const std::string fault = find_connectivity_fault(context, mesh_);
     if (!fault.empty()) throw InternalError(fault);
   });
   stage_ = Stage::kFinished;
   if (done) return;
-  mesh_ = before;
+  mesh_ = std::move(before);
   face_of_.clear();
 }
 
@@ -215,16 +217,18 @@ void PatchJob::tell_of_crossings(int crossing) {
                    crossing != kAllMayCross ? some : all);
 }
 
-void PatchJob::find_faces(const Discretization& boundary) {
-  ElementFaces found = find_element_faces(mesh_, surface_, boundary, SizeField(*settings_));
+void PatchJob::find_faces(const RunContext& context, const Discretization& boundary) {
+  ElementFaces found =
+      find_element_faces(context, mesh_, surface_, boundary, SizeField(*settings_));
   face_of_ = std::move(found.of);
   if (!surface_.faceted()) strained_ = std::move(found.strained);
 }
 
-void PatchJob::split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary) {
+void PatchJob::split_edges(const RunContext& context, const std::vector<HalfedgeH>& edges,
+                           const Discretization& boundary) {
   record_.guard("edges-not-split", [&] {
     for (const HalfedgeH h : edges) split_inside(mesh_, surface_, h);
-    if (faces_.size() > 1) find_faces(boundary);
+    if (faces_.size() > 1) find_faces(context, boundary);
   });
 }
 
@@ -232,7 +236,7 @@ void PatchJob::measure(const RunContext& context) {
   if (!meshed()) return;
   record_.guard("not-measured", [&] {
     std::vector<WallReport> walls =
-        measure_walls(mesh_, surface_, walls_, stops_, record_.layers());
+        measure_walls(context, mesh_, surface_, walls_, stops_, record_.layers());
     for (WallReport& wall : walls) wall.face = face_beside(evaluator_.model(), faces_, wall.edge);
     const auto face_of_element = [this](FaceH f) { return face_of(f); };
     record_.measure(context, {mesh_, surface_, face_of_element}, std::move(walls));
@@ -245,22 +249,17 @@ FaceId PatchJob::face_of(FaceH f) const {
   if (f.index() < face_of_.size() && face_of_[f.index()].valid()) return face_of_[f.index()];
   FaceId best;
   int best_votes = 0;
-  const HalfedgeH first = mesh_.halfedge(f);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.sides(f)) {
     const FaceId candidate = mesh_.data(mesh_.to(h)).point.face;
     int votes = 0;
-    HalfedgeH other = first;
-    do {
+    for (const HalfedgeH other : mesh_.sides(f)) {
       votes += mesh_.data(mesh_.to(other)).point.face == candidate;
-      other = mesh_.next(other);
-    } while (other != first);
+    }
     if (votes > best_votes || (votes == best_votes && candidate < best)) {
       best = candidate;
       best_votes = votes;
     }
-    h = mesh_.next(h);
-  } while (h != first);
+  }
   return best;
 }
 

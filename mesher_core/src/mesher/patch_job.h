@@ -34,7 +34,8 @@ class PatchJob {
   std::optional<LayerReport> advance(const RunContext& context);  // empty: no front is left
   void finish(const RunContext& context, const Discretization& boundary);
   // Splits edges inside the finished patch; between finish() and measure().
-  void split_edges(const std::vector<HalfedgeH>& edges, const Discretization& boundary);
+  void split_edges(const RunContext& context, const std::vector<HalfedgeH>& edges,
+                   const Discretization& boundary);
   void measure(const RunContext& context);
 
   bool meshed() const { return stage_ > Stage::kUnmeshed; }
@@ -80,10 +81,10 @@ class PatchJob {
                       std::vector<EdgeId>& coarse);
   bool mend_without_layers(const RunContext& context, const std::string& fault,
                            const Discretization& boundary);
-  bool fill_in_rows(const Discretization& boundary);
+  bool fill_in_rows(const RunContext& context, const Discretization& boundary);
   void end_layers();
   void tell_of_crossings(int crossing);
-  void find_faces(const Discretization& boundary);
+  void find_faces(const RunContext& context, const Discretization& boundary);
 
   std::vector<FaceId> faces_;
   PatchRecord record_;
@@ -102,5 +103,7 @@ class PatchJob {
   std::vector<FaceId> strained_, failed_;
   std::vector<StopRecord> stops_;
 };
+
+using PatchJobs = std::vector<std::unique_ptr<PatchJob>>;
 
 }  // namespace advlayers

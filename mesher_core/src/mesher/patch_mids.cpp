@@ -11,13 +11,6 @@ constexpr double kLeastJacobian = 0.1;
 // An easing that gains less than this part of it helps nobody.
 constexpr double kGain = 1e-6;
 
-template <class Visit>
-void for_each_side(const SurfaceMesh& mesh, FaceH face, const Visit& visit) {
-  HalfedgeH h = mesh.halfedge(face);
-  const int count = mesh.degree(face);
-  for (int k = 0; k < count; ++k, h = mesh.next(h)) visit(static_cast<std::size_t>(k), h);
-}
-
 }  // namespace
 
 PatchMids::PatchMids(const PatchJob& job, const Model& model, const Settings& settings,
@@ -130,11 +123,11 @@ void PatchMids::place(const RunContext& context) {
 
 CurvedElement PatchMids::element(FaceH face) const {
   CurvedElement found;
-  found.count = mesh_.degree(face);
-  for_each_side(mesh_, face, [&](std::size_t k, HalfedgeH h) {
+  for (const HalfedgeH h : mesh_.sides(face)) {
+    const auto k = static_cast<std::size_t>(found.count++);
     found.corners[k] = mesh_.position(mesh_.from(h));
     found.mids[k] = at(h);
-  });
+  }
   return found;
 }
 
@@ -162,11 +155,13 @@ HalfedgeH PatchMids::best_to_ease(FaceH face) const {
   const double now = least_jacobian(tried);
   HalfedgeH best, best_on_cad;
   double most = -std::numeric_limits<double>::infinity(), most_on_cad = now + kGain;
-  for_each_side(mesh_, face, [&](std::size_t k, HalfedgeH h) {
+  std::size_t side = 0;
+  for (const HalfedgeH h : mesh_.sides(face)) {
+    const std::size_t k = side++;
     const Mid& mid = mids_[h.index() >> 1];
     const bool border = mid.shared >= 0;
     if (border ? boundary_[mid.shared].eased == BoundaryMid::kEasings : mid.eased == 2 * kEasings) {
-      return;
+      continue;
     }
     const Vec3 before = tried.mids[k];
     if (border) {
@@ -186,7 +181,7 @@ HalfedgeH PatchMids::best_to_ease(FaceH face) const {
       most_on_cad = gained;
       best_on_cad = h;
     }
-  });
+  }
   return best_on_cad.valid() ? best_on_cad : best;
 }
 

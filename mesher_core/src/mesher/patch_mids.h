@@ -32,7 +32,7 @@ class PatchMids {
 
   // Draws the mid node of an edge that is not shared back by one step, first within the surface,
   // then off it.
-  static constexpr int kEasings = 4;
+  static constexpr int kEasings = BoundaryMid::kEasings;
   void ease(HalfedgeH h);
   // The side of an overbent element that is best drawn back by a step: one whose mid node stays on
   // the CAD, if that helps at all. Invalid where all sides are straight.

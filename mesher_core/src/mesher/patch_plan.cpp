@@ -14,11 +14,12 @@ namespace {
 using EdgeSet = std::unordered_set<EdgeId>;
 
 // Every edge that bounds the patch: of all faces, but degenerate and inner ones.
-EdgeSet boundary_edges(Evaluator& evaluator, const Settings& settings,
+EdgeSet boundary_edges(const RunContext& context, Evaluator& evaluator, const Settings& settings,
                        const std::vector<FaceId>& faces) {
   const auto inner = inner_edges(evaluator, faces, feature_rule(settings));
   EdgeSet edges;
   for (const FaceId face : faces) {
+    context.check();
     for (const auto& loop : evaluator.model().face(face).loops) {
       for (const CoEdge& coedge : loop) {
         const bool is_inner = std::binary_search(inner.begin(), inner.end(), coedge.edge);
@@ -49,9 +50,10 @@ bool concerns(const WallSpec& spec, const Model& model, const std::vector<FaceId
   });
 }
 
-void apply_spec(const WallSpec& spec, const Settings& settings, const Model& model,
-                const std::vector<FaceId>& faces, WallPlan& walls) {
+void apply_spec(const RunContext& context, const WallSpec& spec, const Settings& settings,
+                const Model& model, const std::vector<FaceId>& faces, WallPlan& walls) {
   for (const EdgeId edge : spec.edges) {
+    context.check();
     if (walls.edges.count(edge) == 0 || !concerns(spec, model, faces, edge)) continue;
     walls.edges[edge] = wall_by(spec, settings);
   }
@@ -77,7 +79,8 @@ void match_beside_walls(const Model& model, WallPlan& walls) {
 
 }  // namespace
 
-std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings& settings) {
+std::vector<std::vector<FaceId>> group_faces(const RunContext& context, const Model& model,
+                                             const Settings& settings) {
   std::vector<FaceId> faces = settings.faces;
   if (faces.empty()) {
     for (std::size_t i = 0; i < model.faces().size(); ++i) faces.emplace_back(i);
@@ -98,6 +101,7 @@ std::vector<std::vector<FaceId>> group_faces(const Model& model, const Settings&
   };
   Evaluator evaluator(model);
   for (const EdgeId edge : inner_edges(evaluator, sound, feature_rule(settings))) {
+    context.check();
     const auto& sides = model.edge(edge).faces;
     if (sides.size() != 2) continue;
     const auto [first, second] = std::minmax({leader_of(sides[0]), leader_of(sides[1])});
@@ -118,7 +122,7 @@ FaceId face_beside(const Model& model, const std::vector<FaceId>& faces, EdgeId 
   return faces.front();
 }
 
-WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
+WallPlan plan_walls(const RunContext& context, Evaluator& evaluator, const Settings& settings,
                     const std::vector<FaceId>& faces) {
   WallPlan walls;
   walls.stop_at_isotropy = settings.end == EndOfGrowth::kIsotropic;
@@ -126,11 +130,12 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
   walls.max_height = 0.0;
   for (const FaceId face : faces)
     walls.max_height = std::max(walls.max_height, sizes.of_face(face));
-  for (const EdgeId edge : boundary_edges(evaluator, settings, faces)) {
+  for (const EdgeId edge : boundary_edges(context, evaluator, settings, faces)) {
+    context.check();
     walls.edges[edge] = settings.walls_all ? wall_by(WallSpec(), settings) : EdgePlan();
   }
   for (const WallSpec& spec : settings.walls) {
-    apply_spec(spec, settings, evaluator.model(), faces, walls);
+    apply_spec(context, spec, settings, evaluator.model(), faces, walls);
   }
   const auto override_with = [&walls](const std::vector<EdgeId>& edges, EdgeCondition condition) {
     for (const EdgeId edge : edges) {
@@ -146,7 +151,8 @@ WallPlan plan_walls(Evaluator& evaluator, const Settings& settings,
   return walls;
 }
 
-void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallPlan& walls) {
+void resolve_heights(const RunContext& context, Evaluator& evaluator,
+                     const Discretization& boundary, WallPlan& walls) {
   for (auto& [edge, plan] : walls.edges) {
     plan.heights.clear();
     plan.heights_along.clear();
@@ -155,6 +161,7 @@ void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallP
     std::vector<double> lengths;  // of the mesh edges
     double total = 0.0;
     for (std::size_t k = 1; k < cut.nodes.size(); ++k) {
+      context.check();
       lengths.push_back(evaluator.edge_length(edge, cut.params[k - 1], cut.params[k]));
       total += lengths.back();
     }
@@ -163,6 +170,7 @@ void resolve_heights(Evaluator& evaluator, const Discretization& boundary, WallP
                               plan.rule};
     double walked = 0.0;
     for (std::size_t k = 0; k < cut.nodes.size(); ++k) {
+      context.check();
       const double before = k > 0 ? lengths[k - 1] : closed ? lengths.back() : lengths.front();
       const double after = k < lengths.size() ? lengths[k] : closed ? lengths.front() : before;
       WallPlace place;

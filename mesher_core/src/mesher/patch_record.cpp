@@ -68,7 +68,7 @@ void PatchRecord::measure(const RunContext& context, const MeshOfPatch& of,
                           std::vector<WallReport> walls) {
   count_elements(context, of);
   judge_inverted(of);
-  judge_flaws(of);
+  judge_flaws(context, of);
   judge_walls(std::move(walls));
 }
 
@@ -76,7 +76,7 @@ void PatchRecord::count_elements(const RunContext& context, const MeshOfPatch& o
   counts_ = FigureCounts();
   inverted_.clear();
   report_.quads = report_.triangles = 0;
-  report_.triangles_by_cause = triangle_causes(of.mesh);
+  report_.triangles_by_cause = triangle_causes(context, of.mesh);
   for (std::size_t i = 0; i < of.mesh.face_capacity(); ++i) {
     context.check();
     const FaceH f(i);
@@ -126,8 +126,9 @@ void PatchRecord::judge_inverted(const MeshOfPatch& of) {
 }
 
 // What a solver could not use.
-void PatchRecord::judge_flaws(const MeshOfPatch& of) {
-  const MeshFlaws flaws = find_mesh_flaws(of.mesh, kSamePlace * of.surface.model().diagonal());
+void PatchRecord::judge_flaws(const RunContext& context, const MeshOfPatch& of) {
+  const MeshFlaws flaws =
+      find_mesh_flaws(context, of.mesh, kSamePlace * of.surface.model().diagonal());
   const auto tell = [&](const char* code, Severity severity, const std::vector<FaceH>& elements,
                         const Sentence& said) {
     if (elements.empty()) return;

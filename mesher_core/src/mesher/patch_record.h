@@ -52,7 +52,7 @@ class PatchRecord {
  private:
   void count_elements(const RunContext& context, const MeshOfPatch& of);
   void judge_inverted(const MeshOfPatch& of);
-  void judge_flaws(const MeshOfPatch& of);
+  void judge_flaws(const RunContext& context, const MeshOfPatch& of);
   void judge_walls(std::vector<WallReport> measured);
 
   std::vector<FaceId> faces_;

@@ -1,7 +1,6 @@
 // What there is to say of a run as a whole, once its patches are finished.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -10,8 +9,6 @@
 #include "sizing/settings.h"
 
 namespace advlayers {
-
-using PatchJobs = std::vector<std::unique_ptr<PatchJob>>;
 
 // A wall that was asked for by name, but grows nowhere, is not passed over in silence.
 void note_idle_walls(const Settings& settings, const PatchJobs& jobs,

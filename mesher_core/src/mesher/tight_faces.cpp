@@ -25,11 +25,13 @@ bool turns(Evaluator& evaluator, FaceId id, double width) {
 
 }  // namespace
 
-std::vector<FaceId> tight_faces(Evaluator& evaluator, const Settings& settings) {
+std::vector<FaceId> tight_faces(const RunContext& context, Evaluator& evaluator,
+                                const Settings& settings) {
   const Model& model = evaluator.model();
   const SizeField sizes(settings);
   std::vector<FaceId> found;
   for (std::size_t i = 0; i < model.faces().size(); ++i) {
+    context.check();
     const FaceId face(i);
     if (!model.face(face).defect.empty()) continue;
     const double width = width_of(model, face);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/run_context.h"
 #include "geometry/evaluator.h"
 #include "sizing/settings.h"
 
@@ -10,6 +11,8 @@ namespace advlayers {
 
 // Faces far narrower than the size that turn about a good part of a right angle all the same, as
 // fillets of edges do: for elements of that size they are edges. Sorted.
-std::vector<FaceId> tight_faces(Evaluator& evaluator, const Settings& settings);
+// Throws Cancelled.
+std::vector<FaceId> tight_faces(const RunContext& context, Evaluator& evaluator,
+                                const Settings& settings);
 
 }  // namespace advlayers

@@ -16,8 +16,7 @@ class Classifier {
   const char* cause(FaceH triangle) {
     if (!is_core(mesh_, triangle)) return "collapse";
     bool step = false, closing = false;
-    HalfedgeH h = mesh_.halfedge(triangle);
-    for (int k = 0; k < 3; ++k, h = mesh_.next(h)) {
+    for (const HalfedgeH h : mesh_.sides(triangle)) {
       if (is_free(mesh_, mesh_.to(h))) return "core";
       step = step || is_extrusion(mesh_, h);
       closing = closing || is_grown_from(h);
@@ -47,16 +46,13 @@ class Classifier {
     std::vector<FaceH> queue{start};
     rest_of_[start.index()] = rest;
     for (std::size_t i = 0; i < queue.size(); ++i) {
-      const HalfedgeH first = mesh_.halfedge(queue[i]);
-      HalfedgeH h = first;
-      do {
+      for (const HalfedgeH h : mesh_.sides(queue[i])) {
         const FaceH beside = mesh_.face(SurfaceMesh::twin(h));
         if (beside.valid() && is_core(mesh_, beside) && rest_of_[beside.index()] < 0) {
           rest_of_[beside.index()] = rest;
           queue.push_back(beside);
         }
-        h = mesh_.next(h);
-      } while (h != first);
+      }
     }
     sizes_.push_back(static_cast<int>(queue.size()));
   }
@@ -68,10 +64,11 @@ class Classifier {
 
 }  // namespace
 
-std::map<std::string, int> triangle_causes(const SurfaceMesh& mesh) {
+std::map<std::string, int> triangle_causes(const RunContext& context, const SurfaceMesh& mesh) {
   std::map<std::string, int> causes;
   Classifier classifier(mesh);
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
+    context.check();
     const FaceH f(i);
     if (mesh.alive(f) && mesh.is_triangle(mesh.halfedge(f))) ++causes[classifier.cause(f)];
   }

@@ -15,6 +15,6 @@ namespace advlayers {
 //   last loop   in a rest of at most six core elements that fronts or borders enclose
 //   collision   in a larger rest where fronts met and left no vertex that could move
 //   core        beside a vertex of the core: none of its neighbours made a good quad with it
-std::map<std::string, int> triangle_causes(const SurfaceMesh& mesh);
+std::map<std::string, int> triangle_causes(const RunContext& context, const SurfaceMesh& mesh);
 
 }  // namespace advlayers

@@ -5,17 +5,20 @@
 #include <cmath>
 #include <map>
 
+#include "layers/corner_class.h"
+
 namespace advlayers {
 namespace {
 
-constexpr double kRegularTurnCosine = 0.93969262;  // of 20 degrees
 constexpr int kNoKid = -1;
 constexpr int kSeveralKids = -2;
 
 // The mesh as columns: each vertex and the one that was extruded from it.
 struct Columns {
-  explicit Columns(const SurfaceMesh& mesh) : kid(mesh.vertex_capacity(), kNoKid) {
+  Columns(const RunContext& context, const SurfaceMesh& mesh)
+      : kid(mesh.vertex_capacity(), kNoKid) {
     for (std::size_t i = 0; i < kid.size(); ++i) {
+      context.check();
       const VertexH v(i);
       if (!mesh.alive(v)) continue;
       const VertexH parent = mesh.data(v).parent;
@@ -33,11 +36,11 @@ struct Columns {
   std::vector<int> kid;
 };
 
-// A wall vertex is straight where the border turns by less than 20 degrees.
 bool is_straight(const SurfaceMesh& mesh, HalfedgeH border) {
+  static const double least_cosine = std::cos(kRegularTurn);
   const Vec3 in = mesh.position(mesh.from(border)) - mesh.position(mesh.from(mesh.prev(border)));
   const Vec3 out = mesh.position(mesh.to(border)) - mesh.position(mesh.from(border));
-  return in.dot(out) > kRegularTurnCosine * in.norm() * out.norm();
+  return in.dot(out) > least_cosine * in.norm() * out.norm();
 }
 
 int regularity(const SurfaceMesh& mesh, const Columns& columns, HalfedgeH border) {
@@ -161,9 +164,7 @@ void keep_first(const SurfaceMesh& mesh, const Columns& columns, const StopRecor
 // it, from each vertex to one of its kids.
 int layers_over(const SurfaceMesh& mesh, VertexH from, int layer) {
   int most = layer;
-  const HalfedgeH first = mesh.outgoing(from);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around(from)) {
     const VertexH kid = mesh.to(h);
     const VertexData& data = mesh.data(kid);
     const auto in_layer = [&](HalfedgeH side) {
@@ -173,8 +174,7 @@ int layers_over(const SurfaceMesh& mesh, VertexH from, int layer) {
         (in_layer(h) || in_layer(SurfaceMesh::twin(h)))) {
       most = std::max(most, layers_over(mesh, kid, data.layer));
     }
-    h = mesh.rotate_cw(h);
-  } while (h != first);
+  }
   return most;
 }
 
@@ -188,11 +188,13 @@ StopRecord borne_out(const SurfaceMesh& mesh, StopRecord record) {
   return record;
 }
 
-void count_layers(const SurfaceMesh& mesh, const Columns& columns, const Stops& stops,
-                  const std::vector<VertexH>& roots, int layers_made, WallReport& report) {
+void count_layers(const RunContext& context, const SurfaceMesh& mesh, const Columns& columns,
+                  const Stops& stops, const std::vector<VertexH>& roots, int layers_made,
+                  WallReport& report) {
   int shortest = layers_made, longest = 0;
   bool all_closed = true;
   for (const VertexH root : roots) {
+    context.check();
     bool stopped = false;
     stops.visit(root, [&](const StopRecord& noted) {
       const StopRecord record = borne_out(mesh, noted);
@@ -226,10 +228,10 @@ double arc_length(PatchSurface& surface, const SurfacePoint& from, const Surface
   return arc < 1.6 * chord ? arc : chord;
 }
 
-std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& surface,
-                                      const WallPlan& plan, const std::vector<StopRecord>& stops,
-                                      int layers_made) {
-  const Columns columns(mesh);
+std::vector<WallReport> measure_walls(const RunContext& context, const SurfaceMesh& mesh,
+                                      PatchSurface& surface, const WallPlan& plan,
+                                      const std::vector<StopRecord>& stops, int layers_made) {
+  const Columns columns(context, mesh);
   const Stops stops_by_root(stops);
   std::map<EdgeId, Wall> walls;
   const auto is_wall = [&](HalfedgeH h) {
@@ -237,6 +239,7 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
     return planned != plan.edges.end() && planned->second.condition == EdgeCondition::kWall;
   };
   for (std::size_t i = 0; i < mesh.halfedge_capacity(); ++i) {
+    context.check();
     const HalfedgeH h(i);
     if (!mesh.alive(h) || !mesh.is_border(h) || !is_wall(h)) continue;
     Wall& wall = walls[mesh.curve(h)];
@@ -261,7 +264,7 @@ std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& sur
     if (report.requested_layers > 0) {
       report.thickness = thickness_of(report.first_height, report.growth, report.requested_layers);
     }
-    count_layers(mesh, columns, stops_by_root, wall.roots, layers_made, report);
+    count_layers(context, mesh, columns, stops_by_root, wall.roots, layers_made, report);
     reports.push_back(std::move(report));
   }
   return reports;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/run_context.h"
 #include "geometry/patch_surface.h"
 #include "layers/wall_plan.h"
 #include "mesh/surface_mesh.h"
@@ -16,10 +17,10 @@ namespace advlayers {
 // one kid where none is regular.
 //
 // `layers` are complete along the whole edge: in the mesh on every column but those that met
-// another front or column (closed, merged), where there was no room for more.
-std::vector<WallReport> measure_walls(const SurfaceMesh& mesh, PatchSurface& surface,
-                                      const WallPlan& plan, const std::vector<StopRecord>& stops,
-                                      int layers_made);
+// another front or column (closed, merged), where there was no room for more. Throws Cancelled.
+std::vector<WallReport> measure_walls(const RunContext& context, const SurfaceMesh& mesh,
+                                      PatchSurface& surface, const WallPlan& plan,
+                                      const std::vector<StopRecord>& stops, int layers_made);
 
 // Length [mm] along the surface of the curve above a mesh edge: the chord, corrected by the
 // projected midpoint (Richardson extrapolation of one halving).

@@ -8,7 +8,7 @@
 
 namespace advlayers {
 
-inline constexpr std::size_t kMostCorners = 14;
+inline constexpr std::size_t kMostCorners = 14;  // of a loop: the cost grows with their cube
 
 struct Dissection {
   double worst = -1.0;  // quality of the worst quad, see quad_quality; -1: there is none

@@ -14,13 +14,9 @@
 namespace advlayers {
 namespace {
 
-// A pair is refused where a corner is below 14 or above 166 degrees: further than the paper's 30
-// and 150 (II.H), as smoothing opens it; held to those, some pairs come apart for good.
-constexpr double kLeastQuality = 0.03;  // 1 - cos 14
-
-constexpr int kSeamSweeps = 10;
-constexpr int kSweeps = 5;
-constexpr int kRounds = 8;
+constexpr int kSeamSweeps = 10;  // of smoothing where layers and core meet
+constexpr int kSweeps = 5;       // of smoothing between two rounds
+constexpr int kRounds = 8;       // of walks, pairs and smoothing
 
 struct Candidates {
   std::vector<HalfedgeH> diagonal;  // one per pair edge
@@ -49,7 +45,7 @@ Candidates find_candidates(const RunContext& context, const SurfaceMesh& mesh) {
     const HalfedgeH h(i);
     if (!mesh.alive(h) || mesh.combine_veto(h) != Veto::kNone) continue;
     const double quality = pair_quality(mesh, h);
-    if (quality < kLeastQuality) continue;
+    if (quality < kLeastPairQuality) continue;
     found.diagonal.push_back(h);
     const int a = node_of(mesh.face(h));
     found.pairs.push_back({a, node_of(mesh.face(SurfaceMesh::twin(h))), quality});

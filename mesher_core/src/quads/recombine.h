@@ -10,6 +10,10 @@
 
 namespace advlayers {
 
+// A quad is refused where a corner is below 14 or above 166 degrees: further than the paper's 30
+// and 150 (II.H), as smoothing opens it; held to those, some pairs come apart for good.
+inline constexpr double kLeastPairQuality = 0.03;  // 1 - cos 14
+
 // Which passes are made: all, but where tests/bench measures what each is worth.
 struct RecombineSteps {
   bool walks = true;      // of single triangles towards each other

@@ -15,7 +15,7 @@ constexpr double kBadShape = 0.42;
 // where the element is turned over against the surface.
 template <std::size_t kCorners>
 double shape_of(const SurfaceMesh& mesh, const std::array<VertexH, kCorners>& corner) {
-  constexpr double kIdealSine = kCorners == 3 ? 0.8660254037844386 : 1.0;
+  constexpr double kIdealSine = kCorners == 3 ? 0.8660254037844386 : 1.0;  // at a corner
   const auto at = [&](std::size_t k) -> const Vec3& { return mesh.position(corner[k % kCorners]); };
   const Vec3 area =
       kCorners == 3 ? (at(1) - at(0)).cross(at(2) - at(0)) : (at(2) - at(0)).cross(at(3) - at(1));
@@ -84,7 +84,7 @@ bool recut_triangle(SurfaceMesh& mesh, FaceH f, LayerCells cells) {
 }  // namespace
 
 int recut_pentagons(const RunContext& context, SurfaceMesh& mesh, LayerCells cells) {
-  constexpr int kPasses = 3;
+  constexpr int kPasses = 3;  // a cut may make room for another
   int total = 0;
   for (int pass = 0, cuts = 1; pass < kPasses && cuts > 0; ++pass) {
     cuts = 0;

@@ -9,11 +9,11 @@
 namespace advlayers {
 namespace {
 
-constexpr int kKeptLayers = 1;  // their quads stay
-constexpr std::size_t kSearchLimit = 120, kMostGoals = 8;
-constexpr std::size_t kLongestPath = 7;  // faces, with both triangles
-constexpr double kLeastQuad = 0.06;      // corners of 20 to 160 degrees, before smoothing
-constexpr double kGoodQuad = 0.4;
+constexpr int kKeptLayers = 1;                             // their quads stay
+constexpr std::size_t kSearchLimit = 120, kMostGoals = 8;  // faces looked at, and triangles found
+constexpr std::size_t kLongestPath = 7;                    // faces, with both triangles
+constexpr double kLeastQuad = 0.06;   // corners of 20 to 160 degrees, before smoothing
+constexpr double kGoodQuad = 0.4;     // as the worst of a dissection: no other is sought
 constexpr double kLostQuad = 0.02;    // what a quad of a layer is worth
 constexpr double kLongestSide = 1.3;  // of new quads, in longest sides of the disc
 
@@ -66,31 +66,21 @@ class PairCloser {
   Remedy best_;
 };
 
-template <class Visit>
-void for_each_side(const SurfaceMesh& mesh, FaceH f, const Visit& visit) {
-  const HalfedgeH first = mesh.halfedge(f);
-  HalfedgeH h = first;
-  do {
-    visit(h);
-    h = mesh.next(h);
-  } while (h != first);
-}
-
 void PairCloser::find_goals(FaceH start) {
   goals_.clear();
   touched_.assign(1, start);
   parent_[start.index()] = start;
   for (std::size_t i = 0; i < touched_.size() && i < kSearchLimit; ++i) {
     if (i > 0 && mesh_.is_triangle(mesh_.halfedge(touched_[i]))) continue;
-    for_each_side(mesh_, touched_[i], [&](HalfedgeH h) {
+    for (const HalfedgeH h : mesh_.sides(touched_[i])) {
       const HalfedgeH t = SurfaceMesh::twin(h);
-      if (mesh_.is_border(t) || mesh_.curve(h).valid()) return;
+      if (mesh_.is_border(t) || mesh_.curve(h).valid()) continue;
       const FaceH next = mesh_.face(t);
-      if (parent_[next.index()].valid() || !may_go(next)) return;
+      if (parent_[next.index()].valid() || !may_go(next)) continue;
       parent_[next.index()] = touched_[i];
       touched_.push_back(next);
       if (mesh_.is_triangle(t)) goals_.push_back(next);
-    });
+    }
     if (goals_.size() >= kMostGoals) break;
   }
 }
@@ -100,12 +90,12 @@ bool PairCloser::find_loop(const Faces& disc) {
   std::vector<HalfedgeH> sides;
   bool over_edge = false;  // of the model
   for (const FaceH f : disc) {
-    for_each_side(mesh_, f, [&](HalfedgeH h) {
+    for (const HalfedgeH h : mesh_.sides(f)) {
       const HalfedgeH t = SurfaceMesh::twin(h);
       const bool outer = mesh_.is_border(t) || !contains(disc, mesh_.face(t));
       if (outer) sides.push_back(h);
       over_edge = over_edge || (!outer && mesh_.curve(h).valid());
-    });
+    }
   }
   if (over_edge || sides.size() < 4 || sides.size() > kMostCorners || sides.size() % 2 != 0)
     return false;
@@ -152,24 +142,24 @@ bool PairCloser::consider_loop(const Faces& disc, const std::vector<VertexH>& lo
 template <class Visit>
 void PairCloser::for_each_spoke(const Faces& disc, const Visit& visit) const {
   for (const FaceH f : disc) {
-    for_each_side(mesh_, f, [&](HalfedgeH h) {
+    for (const HalfedgeH h : mesh_.sides(f)) {
       const auto rim = std::find(loop_.begin(), loop_.end(), mesh_.from(h));
       const VertexH hub = mesh_.to(h);
-      if (rim == loop_.end() || std::find(loop_.begin(), loop_.end(), hub) != loop_.end()) return;
+      if (rim == loop_.end() || std::find(loop_.begin(), loop_.end(), hub) != loop_.end()) continue;
       visit(static_cast<std::size_t>(rim - loop_.begin()), hub);
-    });
+    }
   }
 }
 
 Faces PairCloser::neighbours(const Faces& disc) const {
   Faces found;
   for (const FaceH f : disc) {
-    for_each_side(mesh_, f, [&](HalfedgeH h) {
+    for (const HalfedgeH h : mesh_.sides(f)) {
       const HalfedgeH t = SurfaceMesh::twin(h);
-      if (mesh_.is_border(t) || mesh_.is_triangle(t) || mesh_.curve(h).valid()) return;
+      if (mesh_.is_border(t) || mesh_.is_triangle(t) || mesh_.curve(h).valid()) continue;
       const FaceH g = mesh_.face(t);
       if (may_go(g) && !contains(disc, g) && !contains(found, g)) found.push_back(g);
-    });
+    }
   }
   return found;
 }
@@ -185,12 +175,12 @@ std::vector<Faces> PairCloser::runs_beside(const Faces& disc) const {
     Faces run{rest.back()};
     rest.pop_back();
     for (std::size_t i = 0; i < run.size(); ++i) {
-      for_each_side(mesh_, run[i], [&](HalfedgeH h) {
+      for (const HalfedgeH h : mesh_.sides(run[i])) {
         const auto found = std::find(rest.begin(), rest.end(), mesh_.face(SurfaceMesh::twin(h)));
-        if (found == rest.end()) return;
+        if (found == rest.end()) continue;
         run.push_back(*found);
         rest.erase(found);
-      });
+      }
     }
     runs.push_back(std::move(run));
   }
@@ -222,10 +212,10 @@ void PairCloser::carry_out() {
   const std::vector<FaceH> made = mesh_.replace(best_.disc, best_.quads);
   for (const FaceH f : made) {
     int extrusions = 0, layer = 0;
-    for_each_side(mesh_, f, [&](HalfedgeH h) {
+    for (const HalfedgeH h : mesh_.sides(f)) {
       extrusions += is_extrusion(mesh_, h);
       layer = std::max(layer, mesh_.data(mesh_.to(h)).layer);
-    });
+    }
     if (extrusions == 2) mesh_.data(f).layer = layer;
   }
 }

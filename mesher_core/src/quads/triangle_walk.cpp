@@ -7,6 +7,7 @@
 #include "measure/core_region.h"
 #include "measure/element_measures.h"
 #include "quads/pentagon.h"
+#include "quads/recombine.h"
 
 namespace advlayers {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 constexpr std::size_t kLongestWalk = 10;
 constexpr std::size_t kSearchLimit = 250;
 constexpr std::size_t kMostGoals = 8;
-// Smoothing opens a corner that is not folded; a quad worse than this it rarely saves.
-constexpr double kLeastQuad = 0.03;
 constexpr double kLeastTriangle = 0.1;  // sine of the smallest angle
 
 struct Plan {
@@ -56,10 +55,8 @@ void Walker::find_goals(FaceH start) {
   touched_.assign(1, start);
   reached_[start.index()] = mesh_.halfedge(start);
   for (std::size_t i = 0; i < touched_.size() && i < kSearchLimit; ++i) {
-    const HalfedgeH first = mesh_.halfedge(touched_[i]);
-    if (i > 0 && mesh_.is_triangle(first)) continue;
-    HalfedgeH h = first;
-    do {
+    if (i > 0 && mesh_.is_triangle(mesh_.halfedge(touched_[i]))) continue;
+    for (const HalfedgeH h : mesh_.sides(touched_[i])) {
       const HalfedgeH beyond = SurfaceMesh::twin(h);
       if (is_core_edge(mesh_, h) && !reached_[mesh_.face(beyond).index()].valid()) {
         const FaceH next = mesh_.face(beyond);
@@ -67,8 +64,7 @@ void Walker::find_goals(FaceH start) {
         touched_.push_back(next);
         if (mesh_.is_triangle(beyond)) goals_.push_back(next);
       }
-      h = mesh_.next(h);
-    } while (h != first);
+    }
     if (goals_.size() >= kMostGoals) break;
   }
 }
@@ -98,7 +94,7 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
   if (step + 1 == route_.size()) {
     const double last = quad_quality(mesh_, p, mesh_.from(leaving),
                                      apex(mesh_, SurfaceMesh::twin(leaving)), mesh_.to(leaving));
-    if (last < kLeastQuad || std::min(worst, last) <= best.worst) return;
+    if (last < kLeastPairQuality || std::min(worst, last) <= best.worst) return;
     best = plan;
     best.worst = std::min(worst, last);
     return;
@@ -110,7 +106,7 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
     if (triangle_quality(t0, t1, t2) < kLeastTriangle) continue;
     const double quad =
         quad_quality(mesh_, halves.quad[0], halves.quad[1], halves.quad[2], halves.quad[3]);
-    if (quad < kLeastQuad) continue;
+    if (quad < kLeastPairQuality) continue;
     const VertexH from = mesh_.from(route_[step + 1]), to = mesh_.to(route_[step + 1]);
     VertexH third = t0;
     if (third == from || third == to) third = t1;
@@ -137,7 +133,7 @@ bool Walker::join(FaceH start) {
     if (route_.size() > kLongestWalk) break;
     Plan plan, best;
     plan_from(0, apex(mesh_, route_.front()), 2.0, plan, best);
-    if (best.worst < kLeastQuad) continue;
+    if (best.worst < kLeastPairQuality) continue;
     joined = carry_out(best);
     // A walk that topology stopped half-way has moved the triangle: what was found is void.
     if (!joined) break;

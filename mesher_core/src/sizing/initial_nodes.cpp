@@ -50,16 +50,20 @@ void check_arrays(const InitialMesh& mesh) {
 // make a place fine.
 class Neighbours {
  public:
-  explicit Neighbours(const InitialMesh& mesh)
+  Neighbours(const RunContext& context, const InitialMesh& mesh)
       : begin_(mesh.points.size() + 1, 0), spacing_(mesh.points.size(), 0.0) {
     std::vector<std::pair<int, int>> edges;
     for (const auto& t : mesh.triangles) {
+      context.check();
       for (std::size_t i = 0; i < 3; ++i) {
         const int a = t[i], b = t[(i + 1) % 3];
         if (a != b) edges.insert(edges.end(), {{a, b}, {b, a}});
       }
     }
-    std::sort(edges.begin(), edges.end());
+    std::sort(edges.begin(), edges.end(), [&context](const auto& a, const auto& b) {
+      context.check();
+      return a < b;
+    });
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [a, b] : edges) {
       ++begin_[index(a) + 1];
@@ -68,6 +72,7 @@ class Neighbours {
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
     std::vector<double> lengths;
     for (std::size_t i = 0; i < spacing_.size(); ++i) {
+      context.check();
       lengths.clear();
       for (std::size_t k = 0; k < degree(i); ++k) {
         lengths.push_back((mesh.points[of(i, k)] - mesh.points[i]).norm());
@@ -103,7 +108,7 @@ class Placer {
       : model_(model),
         mesh_(mesh),
         context_(context),
-        neighbours_(mesh),
+        neighbours_(context, mesh),
         evaluator_(model),
         boxes_(face_boxes(model)),
         feet_(mesh.points.size()),
@@ -126,7 +131,10 @@ class Placer {
       }
     }
     for (int round = 0; round < kRounds; ++round) {
-      for (const std::size_t node : doubtful_) follow_neighbours(node);
+      for (const std::size_t node : doubtful_) {
+        context_.check();
+        follow_neighbours(node);
+      }
     }
     for (const std::size_t node : doubtful_) {
       if (is_off(node)) refuse_node(node);
@@ -259,6 +267,7 @@ std::vector<FaceId> Placer::faces_near(const std::array<int, 3>& triangle) const
 void Placer::check_cover(const std::vector<FaceId>& faces) {
   std::vector<std::vector<Vec3>> bare(model_.faces().size());
   for (const FaceId face : faces) {
+    context_.check();
     if (model_.face(face).defect.empty()) bare[face.index()] = samples(face);
   }
   for (const auto& triangle : mesh_.triangles) {
@@ -293,6 +302,7 @@ InitialNodes::InitialNodes(const RunContext& context, const Model& model, const 
   placer.check_cover(faces);
   const Neighbours& neighbours = placer.neighbours();
   for (std::size_t i = 0; i < neighbours.count(); ++i) {
+    context.check();
     if (!placer.placed(i)) continue;
     OnFace& on = on_face_[placer.foot(i).face.index()];
     on.nodes.push_back(placer.foot(i));
@@ -304,7 +314,7 @@ InitialNodes::InitialNodes(const RunContext& context, const Model& model, const 
   for (OnFace& on : on_face_) {
     std::vector<Vec3> points;
     for (const SurfacePoint& node : on.nodes) points.push_back(node.xyz);
-    on.tree = PointTree(std::move(points));
+    on.tree = PointTree(context, std::move(points));
   }
 }
 

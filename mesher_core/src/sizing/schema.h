@@ -32,8 +32,8 @@ enum class Kind {
 
 const char* kind_name(Kind kind);
 
-inline constexpr double kMostGrowth = 10.0;
-inline constexpr int kMostLayers = 100000;
+inline constexpr double kMostGrowth = 10.0;  // the second layer would be the last that is seen
+inline constexpr int kMostLayers = 100000;   // no mesh that any machine holds has more
 
 inline constexpr CoreElements kCoreElements[] = {CoreElements::kQuads, CoreElements::kTriangles};
 const char* core_name(CoreElements core);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "geometry/model.h"
 #include "sizing/schema.h"
@@ -95,7 +96,7 @@ double first_height_at(const WallSpacing& spacing, const WallPlace& place, doubl
   }
   if (rule.aspect_ratio) return place.segment / *rule.aspect_ratio;
   if (rule.turning_angle) {
-    const double angle = *rule.turning_angle * M_PI / 180.0;
+    const double angle = *rule.turning_angle * kDegree;
     return place.curvature * most > angle ? angle / place.curvature : most;
   }
   return spacing.first_height;

@@ -28,7 +28,7 @@ ConstrainedDelaunay::ConstrainedDelaunay(const RunContext& context,
   add_box(points);
   std::size_t since_check = 0;
   int hint = 0;
-  for (const int v : hilbert_order(points)) {
+  for (const int v : hilbert_order(context, points)) {
     if (++since_check % kCancelStride == 0) context.check();
     hint = insert(v, hint);
   }
@@ -237,7 +237,7 @@ ConstrainedDelaunay::Conflict ConstrainedDelaunay::constrain(int a, int b, int m
   return conflict;
 }
 
-ConstrainedDelaunay::Windings ConstrainedDelaunay::carve() {
+ConstrainedDelaunay::Windings ConstrainedDelaunay::carve(const RunContext& context) {
   constexpr int kUnknown = std::numeric_limits<int>::min();
   std::vector<int> winding(mesh_.triangles().size(), kUnknown);
   Windings range;
@@ -264,7 +264,7 @@ ConstrainedDelaunay::Windings ConstrainedDelaunay::carve() {
   }
   std::vector<char> kept(mesh_.triangles().size());
   for (std::size_t t = 0; t < kept.size(); ++t) kept[t] = winding[t] > 0;
-  mesh_.keep(kept);
+  mesh_.keep(context, kept);
   for (int t = 0; t < mesh_.triangle_count(); ++t) {
     for (int i = 0; i < 3; ++i) {
       const int segment = mesh_.segment({t, i});

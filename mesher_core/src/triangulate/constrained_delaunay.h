@@ -39,7 +39,7 @@ class ConstrainedDelaunay {
   // Proper loops wind 0 or 1 times about every triangle; `Windings` tells if they did. A segment
   // used once in each direction (a slit) keeps both its sides. Afterwards the mesh's segments are
   // the caller's marks; nothing may be constrained any more.
-  Windings carve();
+  Windings carve(const RunContext& context);
 
   const PlanarTriangulation& mesh() const { return mesh_; }
   PlanarTriangulation release() { return std::move(mesh_); }

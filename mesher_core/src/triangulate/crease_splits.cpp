@@ -8,20 +8,18 @@
 
 #include "base/angles.h"
 #include "base/directions.h"
+#include "boundary/edge_creases.h"
 
 namespace advlayers {
 namespace {
 
 using Side = PlanarTriangulation::Side;
 
-constexpr double kLeastTurn = 60 * kDegree;  // of the normal along an edge over a fold
-// The fold takes this part of the turn, and does so within this part of the least length asked for.
-constexpr double kMostOfTurn = 0.6;
-constexpr double kSharp = 0.25;
+constexpr double kSharp = 0.25;      // of the least length asked for, that a fold lies within
 constexpr double kNearEnd = 0.12;    // of the edge; an end so near is taken for a point of the fold
 constexpr double kNearBorder = 0.8;  // of the least length
-constexpr int kBisections = 30;
-constexpr int kMostSplits = 4;  // per triangle at the outset
+constexpr int kBisections = 30;      // to the rounding of the share
+constexpr int kMostSplits = 4;       // per triangle at the outset
 
 class CreaseSplitter {
  public:
@@ -56,7 +54,8 @@ class CreaseSplitter {
     if (mesh().segment(s) >= 0 || mesh().triangle(s.t).n[s.i] < 0) return false;
     const int a = mesh().from(s), b = mesh().to(s);
     if (ends_on_fold(a) || ends_on_fold(b)) return false;
-    if (angle_between(sheet_.vertex(a).normal, sheet_.vertex(b).normal) < kLeastTurn) return false;
+    if (angle_between(sheet_.vertex(a).normal, sheet_.vertex(b).normal) < kLeastFoldTurn)
+      return false;
     const std::optional<double> share = find_fold(a, b);
     if (!share) return false;
     const double length = std::sqrt(sheet_.squared_length(a, b));
@@ -94,8 +93,8 @@ class CreaseSplitter {
 
   // Empty where the surface turns gently enough to be followed.
   std::optional<double> find_fold(int a, int b) {
-    const double begin = where_turned(a, b, (1 - kMostOfTurn) / 2);
-    const double end = where_turned(a, b, (1 + kMostOfTurn) / 2);
+    const double begin = where_turned(a, b, (1 - kMostOfFold) / 2);
+    const double end = where_turned(a, b, (1 + kMostOfFold) / 2);
     const double across = (at(a, b, end).point.xyz - at(a, b, begin).point.xyz).norm();
     if (across > kSharp * sheet_.least_size()) return std::nullopt;
     return where_turned(a, b, 0.5);

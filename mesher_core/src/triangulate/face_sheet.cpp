@@ -28,7 +28,7 @@ Vec2 sheet_scale(Evaluator& evaluator, FaceId id) {
       along_v += frame.dv.norm();
     }
   }
-  constexpr double kCount = kScaleSamples * kScaleSamples;
+  constexpr double kCount = kScaleSamples * kScaleSamples;  // of samples in both directions
   const double u = along_u > 0 ? along_u / kCount : 1.0, v = along_v > 0 ? along_v / kCount : 1.0;
   return {face.reversed ? -u : u, v};
 }

@@ -324,7 +324,7 @@ int fill_sheet(const RunContext& context, LiftedTriangulation& sheet,
   sheet.straighten_poles();
   refine_deviating(context, sheet);
   sheet.straighten_poles();
-  sheet.put_in_order();
+  sheet.put_in_order(context);
   return taken;
 }
 

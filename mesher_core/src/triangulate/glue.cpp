@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "base/angles.h"
 #include "triangulate/triangulate.h"
 
 namespace advlayers {
@@ -17,7 +18,7 @@ using Side = PlanarTriangulation::Side;
 
 constexpr int kRounds = 30;  // of dividing edges that spoil the manifold
 // Normals that lean this far from their mean about a pole make it a tip.
-const double kSmoothTip = std::cos(10 * M_PI / 180);
+const double kSmoothTip = std::cos(10 * kDegree);
 
 class Gluer {
  public:
@@ -208,7 +209,7 @@ class Gluer {
         triangles.push_back({vertex(0), vertex(1), vertex(2)});
       }
     }
-    glued.mesh.build_triangles(triangles);
+    glued.mesh.build_triangles(context_, triangles);
     // A border side of a triangle that vanishes at a pole is the far side of that triangle as well.
     for_each_side([&](const SheetSide& side) {
       if (!is_border(side)) return;
@@ -275,6 +276,7 @@ class Gluer {
   void set_tips(GluedMesh& glued, const std::vector<Vec3>& normals, const std::vector<int>& uses) {
     for (std::size_t s = 0; s < sheets_.size(); ++s) {
       for (int t = 0; t < sheets_[s].mesh().triangle_count(); ++t) {
+        context_.check();
         for (int i = 0; i < 3; ++i) {
           const LiftedVertex& lifted = vertex_at(s, t, i);
           const std::size_t r = root(corner(s, t, i));

@@ -28,7 +28,7 @@ std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y) {
 
 }  // namespace
 
-std::vector<int> hilbert_order(const std::vector<Vec2>& points) {
+std::vector<int> hilbert_order(const RunContext& context, const std::vector<Vec2>& points) {
   Vec2 low = points.empty() ? Vec2(0, 0) : points.front(), high = low;
   for (const Vec2& p : points) {
     low = low.cwiseMin(p);
@@ -43,7 +43,10 @@ std::vector<int> hilbert_order(const std::vector<Vec2>& points) {
         hilbert_index(static_cast<std::uint32_t>(cell.x()), static_cast<std::uint32_t>(cell.y())),
         static_cast<int>(i)};
   }
-  std::sort(keys.begin(), keys.end());
+  std::sort(keys.begin(), keys.end(), [&context](const auto& a, const auto& b) {
+    context.check();
+    return a < b;
+  });
   std::vector<int> order(points.size());
   for (std::size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].second;
   return order;

@@ -3,10 +3,12 @@
 
 #include <vector>
 
+#include "base/run_context.h"
 #include "base/types.h"
 
 namespace advlayers {
 
-std::vector<int> hilbert_order(const std::vector<Vec2>& points);
+// Throws Cancelled.
+std::vector<int> hilbert_order(const RunContext& context, const std::vector<Vec2>& points);
 
 }  // namespace advlayers

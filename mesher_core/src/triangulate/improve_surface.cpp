@@ -17,7 +17,7 @@ const double kPoorScore = score_of_angle(30 * kDegree);
 const double kFairScore = score_of_angle(22 * kDegree);
 constexpr double kTooLong = 1.5, kTooShort = 0.6;  // in wanted lengths
 constexpr int kSmoothingRounds = 2;                // before and after lengths are mended
-constexpr int kMendingRounds = 6;
+constexpr int kMendingRounds = 6;                  // of flips, splits and collapses
 
 class Improver {
  public:

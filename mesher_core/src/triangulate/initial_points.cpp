@@ -32,7 +32,7 @@ class InitialInsertion {
     in_sheet.reserve(points.size());
     for (const SurfacePoint& p : points) in_sheet.push_back(sheet_.sheet().from_uv({p.u, p.v}));
     int taken = 0;
-    for (const int i : hilbert_order(in_sheet)) {
+    for (const int i : hilbert_order(context_, in_sheet)) {
       context_.check();
       if (insert(in_sheet[static_cast<std::size_t>(i)])) ++taken;
     }

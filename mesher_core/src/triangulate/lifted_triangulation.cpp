@@ -5,6 +5,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "base/angles.h"
 #include "base/predicates.h"
 #include "triangulate/triangle_score.h"
 
@@ -16,9 +17,9 @@ namespace {
 constexpr double kFlipMargin = 1e-3;
 constexpr double kNose = 0.012;    // extent of a nose, as a share of the wanted length
 constexpr double kNoseReach = 10;  // times that extent, in the sheet
-const double kNoseTurn = std::cos(45 * M_PI / 180);
-constexpr double kScoreMargin = 1e-4;
-constexpr std::size_t kFlipLimit = 500;  // after one insertion
+const double kNoseTurn = std::cos(45 * kDegree);  // of the normal over it
+constexpr double kScoreMargin = 1e-4;             // that a flip in space must gain
+constexpr std::size_t kFlipLimit = 500;           // after one insertion
 
 }  // namespace
 
@@ -270,8 +271,8 @@ void LiftedTriangulation::straighten_poles() {
   for (unsigned& version : versions_) ++version;
 }
 
-void LiftedTriangulation::put_in_order() {
-  mesh_.keep(std::vector<char>(mesh_.triangles().size(), 1));
+void LiftedTriangulation::put_in_order(const RunContext& context) {
+  mesh_.keep(context, std::vector<char>(mesh_.triangles().size(), 1));
   for (unsigned& version : versions_) ++version;
 }
 

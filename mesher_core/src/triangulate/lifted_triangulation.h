@@ -81,7 +81,7 @@ class LiftedTriangulation {
 
   // Numbers the triangles by their corners: equal triangulations that came about in different
   // ways are the same from here on.
-  void put_in_order();
+  void put_in_order(const RunContext& context);
   // Flips every edge that is not Delaunay in the metric.
   void flip_all();
   // Flips edges about poles by what the triangles are in space: seen from the pole, their

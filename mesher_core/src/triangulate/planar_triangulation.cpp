@@ -148,15 +148,17 @@ void PlanarTriangulation::split_side(Side s, int v) {
   tri(s.t).n[1] = o.t;
 }
 
-void PlanarTriangulation::keep(const std::vector<char>& kept) {
+void PlanarTriangulation::keep(const RunContext& context, const std::vector<char>& kept) {
   std::vector<int> order;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     if (!kept[t]) continue;
     turn_to_least_corner(triangles_[t]);
     order.push_back(static_cast<int>(t));
   }
-  std::sort(order.begin(), order.end(),
-            [this](int s, int t) { return triangle(s).v < triangle(t).v; });
+  std::sort(order.begin(), order.end(), [&](int s, int t) {
+    context.check();
+    return triangle(s).v < triangle(t).v;
+  });
   std::vector<int> renumbered(triangles_.size(), -1);
   for (std::size_t k = 0; k < order.size(); ++k) {
     renumbered[static_cast<std::size_t>(order[k])] = static_cast<int>(k);

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "base/run_context.h"
 #include "base/types.h"
 
 namespace advlayers {
@@ -72,7 +73,7 @@ class PlanarTriangulation {
 
   // Keeps the triangles marked so, in the order of their corners, which tells nothing of how they
   // came about; points stay. Handles to triangles change.
-  void keep(const std::vector<char>& kept);
+  void keep(const RunContext& context, const std::vector<char>& kept);
 
   // Flips the listed edges, and those the flips disturb, while `wants_flip(side)` says so. Ends if
   // that criterion is strict in exact arithmetic; `flip_limit` bounds it otherwise.

@@ -15,7 +15,7 @@ using Side = PlanarTriangulation::Side;
 constexpr double kClosest = 0.65;
 constexpr double kClosestToBorder = 0.4;
 constexpr double kBorderShare = 0.6;  // of the border edge's length, squared
-constexpr int kWalkLimit = 200;
+constexpr int kWalkLimit = 200;       // triangles that a walk visits
 
 }  // namespace
 

@@ -41,8 +41,8 @@ StripGrid::Side StripGrid::points_along(Evaluator& evaluator, const Discretizati
   return side;
 }
 
-std::optional<StripGrid> StripGrid::lay_out(Evaluator& evaluator, const Discretization& boundary,
-                                            const FourSides& face) {
+std::optional<StripGrid> StripGrid::lay_out(const RunContext& context, Evaluator& evaluator,
+                                            const Discretization& boundary, const FourSides& face) {
   StripGrid grid;
   for (std::size_t k = 0; k < 4; ++k) {
     grid.sides_[k] = points_along(evaluator, boundary, face.face, face.sides[k]);
@@ -53,7 +53,7 @@ std::optional<StripGrid> StripGrid::lay_out(Evaluator& evaluator, const Discreti
   std::reverse(grid.sides_[3].begin(), grid.sides_[3].end());
   grid.columns_ = static_cast<int>(grid.sides_[0].size()) - 1;
   grid.rows_ = static_cast<int>(grid.sides_[1].size()) - 1;
-  grid.place_points(evaluator, face.face);
+  grid.place_points(context, evaluator, face.face);
   return grid;
 }
 
@@ -71,12 +71,13 @@ bool StripGrid::meets_itself() const {
   return nodes.size() != points;
 }
 
-void StripGrid::place_points(Evaluator& evaluator, FaceId face) {
+void StripGrid::place_points(const RunContext& context, Evaluator& evaluator, FaceId face) {
   const auto& [low, right, high, left] = sides_;
   const std::vector<double> along_low = shares_along(low), along_high = shares_along(high);
   const std::vector<double> up_left = shares_along(left), up_right = shares_along(right);
   points_.resize(index(columns_, rows_) + 1);
   for (int row = 0; row <= rows_; ++row) {
+    context.check();
     const auto r = static_cast<std::size_t>(row);
     for (int column = 0; column <= columns_; ++column) {
       const auto c = static_cast<std::size_t>(column);

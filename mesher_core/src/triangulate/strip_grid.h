@@ -16,8 +16,8 @@ class StripGrid {
   // Places the points inside between those of the boundary, by transfinite interpolation in (u, v).
   // None where facing sides are cut into different numbers of segments, or the boundary touches
   // itself at a node.
-  static std::optional<StripGrid> lay_out(Evaluator& evaluator, const Discretization& boundary,
-                                          const FourSides& face);
+  static std::optional<StripGrid> lay_out(const RunContext& context, Evaluator& evaluator,
+                                          const Discretization& boundary, const FourSides& face);
 
   int columns() const { return columns_; }  // of quads, along the long sides 0 and 2
   int rows() const { return rows_; }        // and across
@@ -51,7 +51,7 @@ class StripGrid {
            static_cast<std::size_t>(column);
   }
   bool meets_itself() const;
-  void place_points(Evaluator& evaluator, FaceId face);
+  void place_points(const RunContext& context, Evaluator& evaluator, FaceId face);
   std::vector<VertexH> add_vertices(SurfaceMesh& mesh) const;
   void mark_border(SurfaceMesh& mesh, const std::vector<VertexH>& vertices) const;
 

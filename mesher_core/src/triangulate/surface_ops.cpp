@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kGain = 1e-4;        // of the score; less is no reason to change the mesh
 constexpr double kLongestMade = 1.6;  // edge after a collapse, in wanted lengths
-const double kEquilateralHeight = std::sqrt(3.0) / 2;
+const double kEquilateralHeight = std::sqrt(3.0) / 2;  // over its side
 
 }  // namespace
 
@@ -34,15 +34,12 @@ double SurfaceOps::standing_about(VertexH v) const { return standing_with(v, cor
 // The standing of the triangles about v if it were at `moved`.
 double SurfaceOps::standing_with(VertexH v, const Corner& moved) const {
   Standing standing;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around(v)) {
     if (!mesh_.is_border(h)) {
       standing.add(
           triangle_score(moved, corner_at(mesh_.to(h)), corner_at(mesh_.to(mesh_.next(h)))));
     }
-    h = mesh_.rotate_cw(h);
-  } while (h != first);
+  }
   return standing.value();
 }
 
@@ -86,13 +83,10 @@ bool SurfaceOps::move(VertexH v, const Vec3& target, double enough) {
 Vec3 SurfaceOps::center_of_neighbours(VertexH v) const {
   Vec3 sum = Vec3::Zero();
   int count = 0;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around(v)) {
     sum += mesh_.position(mesh_.to(h));
     ++count;
-    h = mesh_.rotate_cw(h);
-  } while (h != first);
+  }
   return sum / count;
 }
 
@@ -108,9 +102,7 @@ bool SurfaceOps::optimize(VertexH v) {
   double worst = std::numeric_limits<double>::infinity();
   Vec3 mean_apex = Vec3::Zero(), worst_apex = Vec3::Zero();
   int count = 0;
-  const HalfedgeH first = mesh_.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh_.around(v)) {
     const VertexH a = mesh_.to(h), b = mesh_.to(mesh_.next(h));
     const Vec3 apex = ideal_apex(a, b, v);
     const double s = triangle_score(corner_at(v), corner_at(a), corner_at(b));
@@ -120,8 +112,7 @@ bool SurfaceOps::optimize(VertexH v) {
     }
     mean_apex += apex;
     ++count;
-    h = mesh_.rotate_cw(h);
-  } while (h != first);
+  }
   const Vec3 here = mesh_.position(v);
   SurfacePoint best_foot, foot;
   Corner best_at, at;
@@ -150,7 +141,8 @@ bool SurfaceOps::collapse(HalfedgeH h, double enough) {
   const Corner moved = corner_at(onto);
   const double needed = std::min(standing_about(v) + kGain, enough);
   Standing after;
-  for (HalfedgeH o = mesh_.rotate_cw(h); o != h; o = mesh_.rotate_cw(o)) {
+  for (const HalfedgeH o : mesh_.around(h)) {
+    if (o == h) continue;
     const VertexH a = mesh_.to(o), b = mesh_.to(mesh_.next(o));
     const double wanted = (sizes_[a.index()] + sizes_[onto.index()]) / 2;
     if ((mesh_.position(a) - moved.xyz).norm() > kLongestMade * wanted) return false;

@@ -6,7 +6,7 @@
 namespace advlayers {
 namespace {
 
-constexpr double kSmallestShare = 0.02;
+constexpr double kSmallestShare = 0.02;  // of the size, however curved the surface is
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 namespace advlayers {
 namespace {
 
-constexpr double kSineOf60 = 0.86602540378443865;
+constexpr double kSineOf60 = 0.86602540378443865;  // the score of an equilateral triangle is 1
 // cos 27 degrees: the mean of the corners' normals stands for the normal at the centroid, hence
 // the distance to the bound.
 constexpr double kLeastCosine = 0.8910065241883679;

@@ -49,13 +49,19 @@ bool is_bent(const Model& model, const Discretization& boundary, EdgeId edge) {
 class BoundaryTriangulation {
  public:
   BoundaryTriangulation(const RunContext& context, const FaceSheet& sheet)
-      : sheet_(sheet), delaunay_(context, sheet.points), overlapping_(sheet.segments.size(), 0) {}
+      : context_(context),
+        sheet_(sheet),
+        delaunay_(context, sheet.points),
+        overlapping_(sheet.segments.size(), 0) {}
 
   PlanarTriangulation run() {
-    for (std::size_t i = 0; i < sheet_.segments.size(); ++i) constrain(static_cast<int>(i));
+    for (std::size_t i = 0; i < sheet_.segments.size(); ++i) {
+      context_.check();
+      constrain(static_cast<int>(i));
+    }
     if (!coarse_.empty())
       throw too_coarse(Sentence("{}: mesh edges of {} cross or touch each other"));
-    const auto windings = delaunay_.carve();
+    const auto windings = delaunay_.carve(context_);
     find_segments_facing_away();
     if (!coarse_.empty())
       throw too_coarse(Sentence("{}: mesh edges of {} leave boundary on the wrong side"));
@@ -128,6 +134,7 @@ class BoundaryTriangulation {
     return {said.about(face_name(sheet_.face), names(coarse_)), coarse_};
   }
 
+  const RunContext& context_;
   const FaceSheet& sheet_;
   ConstrainedDelaunay delaunay_;
   std::vector<char> overlapping_;  // segments that lie on another: the far side of a slit

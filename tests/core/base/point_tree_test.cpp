@@ -12,7 +12,7 @@ TEST(PointTree, FindsWhatATrialOfAllFinds) {
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   std::vector<Vec3> points;
   for (int i = 0; i < 500; ++i) points.emplace_back(part(random), part(random), 0.1 * part(random));
-  const PointTree tree(points);
+  const PointTree tree(RunContext(), points);
   for (int i = 0; i < 300; ++i) {
     const Vec3 p(1.5 * part(random), 1.5 * part(random), part(random));
     double least = (points.front() - p).norm();
@@ -23,8 +23,8 @@ TEST(PointTree, FindsWhatATrialOfAllFinds) {
 
 TEST(PointTree, CopesWithNoneOneAndEqualPoints) {
   EXPECT_EQ(PointTree().nearest(Vec3::Zero()), -1);
-  EXPECT_EQ(PointTree({Vec3(1, 2, 3)}).nearest(Vec3::Zero()), 0);
-  const PointTree equal(std::vector<Vec3>(9, Vec3(1, 1, 1)));
+  EXPECT_EQ(PointTree(RunContext(), {Vec3(1, 2, 3)}).nearest(Vec3::Zero()), 0);
+  const PointTree equal(RunContext(), std::vector<Vec3>(9, Vec3(1, 1, 1)));
   EXPECT_GE(equal.nearest(Vec3::Zero()), 0);
 }
 

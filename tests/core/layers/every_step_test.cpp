@@ -118,8 +118,7 @@ TEST_P(EveryStep, KnowsParentsAndLayers) {
     const FaceH f(i);
     if (!mesh.alive(f) || mesh.data(f).layer == 0 || mesh.degree(f) != 4) continue;
     bool joined = false;
-    HalfedgeH h = mesh.halfedge(f);
-    for (int k = 0; k < 4; ++k, h = mesh.next(h)) {
+    for (const HalfedgeH h : mesh.sides(f)) {
       const VertexH a = mesh.from(h), b = mesh.to(h);
       joined = joined || mesh.data(a).parent == b || mesh.data(b).parent == a;
     }

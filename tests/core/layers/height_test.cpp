@@ -147,8 +147,7 @@ TEST_P(Fans, SurroundTheCornerWithQuads) {
   const VertexH corner = vertex_at(run.mesh, Vec3(5, 5, 0));
   ASSERT_TRUE(corner.valid());
   int quads = 0;
-  for (HalfedgeH h = run.mesh.rotate_cw(run.mesh.outgoing(corner)); h != run.mesh.outgoing(corner);
-       h = run.mesh.rotate_cw(h)) {
+  for (const HalfedgeH h : run.mesh.around(corner)) {
     if (!run.mesh.is_border(h)) quads += !run.mesh.is_triangle(h);
   }
   EXPECT_EQ(quads, GetParam().quads);

@@ -201,12 +201,9 @@ TEST_F(RemoveCoreVertex, KeepsTheLimitsUnlessItIsForced) {
 }
 
 TEST_F(RemoveCoreVertex, LeavesAVertexThatFrozenEdgesHold) {
-  const HalfedgeH first = mesh.outgoing(v(2, 2));
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around(v(2, 2))) {
     mesh.set_frozen(h, true);
-    h = mesh.rotate_cw(h);
-  } while (h != first);
+  }
   const Counts before(mesh);
   EXPECT_FALSE(remove_core_vertex(mesh, v(2, 2), Removal::kForced, limits, tally));
   EXPECT_TRUE(Counts(mesh) == before);

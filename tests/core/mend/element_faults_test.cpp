@@ -19,11 +19,7 @@ class OnCylinder : public testing::Test {
     for (std::size_t i = 0; i < face.mesh.halfedge_capacity() && found.empty(); ++i) {
       const HalfedgeH first(i);
       if (!face.mesh.is_border(first)) continue;
-      HalfedgeH h = first;
-      do {
-        found.push_back(face.mesh.from(h));
-        h = face.mesh.next(h);
-      } while (h != first);
+      for (const HalfedgeH h : face.mesh.sides(first)) found.push_back(face.mesh.from(h));
     }
     return found;
   }

@@ -11,7 +11,8 @@ namespace {
 // Whether an element beside h has a corner that came with a split.
 bool was_split(const SurfaceMesh& mesh, HalfedgeH h, std::size_t vertices_before) {
   for (const HalfedgeH side : {h, SurfaceMesh::twin(h)}) {
-    for (HalfedgeH k = mesh.next(side); k != side; k = mesh.next(k)) {
+    for (const HalfedgeH k : mesh.sides(side)) {
+      if (k == side) continue;
       if (mesh.to(k).index() >= vertices_before) return true;
     }
   }

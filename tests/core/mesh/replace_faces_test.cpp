@@ -14,13 +14,10 @@ struct Disc {
 
 Disc disc_about(const SurfaceMesh& mesh, VertexH v) {
   Disc disc;
-  const HalfedgeH first = mesh.outgoing(v);
-  HalfedgeH h = first;
-  do {
+  for (const HalfedgeH h : mesh.around_ccw(v)) {
     disc.faces.push_back(mesh.face(h));
     disc.loop.push_back(mesh.to(h));
-    h = mesh.rotate_ccw(h);
-  } while (h != first);
+  }
   return disc;
 }
 

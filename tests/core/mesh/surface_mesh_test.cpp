@@ -126,7 +126,7 @@ TEST(SurfaceMesh, StaysValidUnderRandomOperationsAndInOrder) {
     EXPECT_EQ(euler_number(mesh), 1);
     const int faces = mesh.face_count();
     const int edges = mesh.edge_count();
-    mesh.put_in_order();
+    mesh.put_in_order(RunContext());
     EXPECT_EQ(static_cast<int>(mesh.face_capacity()), faces);
     EXPECT_EQ(static_cast<int>(mesh.halfedge_capacity()), 2 * edges);
     for (std::size_t i = 2; i < mesh.halfedge_capacity(); i += 2) {

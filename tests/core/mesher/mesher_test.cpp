@@ -93,6 +93,37 @@ TEST(Mesher, StopsForGoodOnceCancelled) {
   EXPECT_GT(mesher.snapshot().nodes.size(), 0u);
 }
 
+// The clock is asked where a stage begins and ends: it counts them, and asks to stop at one.
+TEST(Mesher, NoStageFollowsTheOneInWhichItIsAskedToStop) {
+  const Model model = model_of(BRepPrimAPI_MakeCylinder(2, 3).Shape());
+  const auto turns = [&model](int stop_at, bool& cancelled) {
+    int count = 0;
+    RunContext* asked = nullptr;
+    RunContext context([&] {
+      if (++count == stop_at) asked->cancel();
+      return static_cast<double>(count);
+    });
+    asked = &context;
+    try {
+      Mesher mesher(context, model, settings_of(1.0));
+      while (mesher.next()) continue;
+      mesher.result();
+      cancelled = false;
+    } catch (const Cancelled&) {
+      cancelled = true;
+    }
+    return count;
+  };
+  bool cancelled = true;
+  const int whole = turns(0, cancelled);
+  EXPECT_FALSE(cancelled);
+  ASSERT_GT(whole, 8);
+  for (int k = 1; k < whole; ++k) {
+    EXPECT_LE(turns(k, cancelled), k + 2) << "of " << whole;  // the begin and end of one stage
+    EXPECT_TRUE(cancelled) << k << " of " << whole;
+  }
+}
+
 TEST(Mesher, GivesItsResultOnce) {
   const Model model = model_of(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
   RunContext context;

@@ -23,7 +23,7 @@ class BoxWalls : public testing::Test {
     settings.growth = 1.3;
   }
 
-  WallPlan plan() { return plan_walls(evaluator, settings, {FaceId(0)}); }
+  WallPlan plan() { return plan_walls(RunContext(), evaluator, settings, {FaceId(0)}); }
   EdgeId edge(std::size_t k) const { return model.face(FaceId(0)).loops[0][k].edge; }
 
   Model model;
@@ -72,7 +72,7 @@ TEST_F(BoxWalls, MatchAndOffOverride) {
 
 TEST_F(BoxWalls, FacesAreGroupedOnceAndInOrder) {
   settings.faces = {FaceId(4), FaceId(1), FaceId(4)};
-  const auto patches = group_faces(model, settings);
+  const auto patches = group_faces(RunContext(), model, settings);
   ASSERT_EQ(patches.size(), 2u);
   EXPECT_EQ(patches[0], (std::vector<FaceId>{FaceId(1)}));
   EXPECT_EQ(patches[1], (std::vector<FaceId>{FaceId(4)}));
@@ -90,7 +90,7 @@ TEST(PatchPlan, FacesThatMeetSmoothlyAreOnePatch) {
   settings.size = 1.0;
   settings.first_height = 0.1;
   settings.feature_angle = 20.0;
-  const auto patches = group_faces(model, settings);
+  const auto patches = group_faces(RunContext(), model, settings);
   ASSERT_EQ(patches.size(), 5u);
   std::size_t largest = 0;
   for (const auto& faces : patches) {
@@ -99,9 +99,9 @@ TEST(PatchPlan, FacesThatMeetSmoothlyAreOnePatch) {
   }
   EXPECT_EQ(largest, 3u);
   settings.feature_angle = 0.0;
-  EXPECT_EQ(group_faces(model, settings).size(), 7u);
+  EXPECT_EQ(group_faces(RunContext(), model, settings).size(), 7u);
   settings.feature_angle = 100.0;
-  EXPECT_EQ(group_faces(model, settings).size(), 1u);
+  EXPECT_EQ(group_faces(RunContext(), model, settings).size(), 1u);
 }
 
 TEST(PatchPlan, ASeamIsNoWall) {
@@ -112,7 +112,8 @@ TEST(PatchPlan, ASeamIsNoWall) {
   settings.first_height = 0.1;
   for (std::size_t i = 0; i < model.faces().size(); ++i) {
     const bool side = model.faces()[i].kind == SurfaceKind::kCylinder;
-    EXPECT_EQ(plan_walls(evaluator, settings, {FaceId(i)}).edges.size(), side ? 2u : 1u);
+    EXPECT_EQ(plan_walls(RunContext(), evaluator, settings, {FaceId(i)}).edges.size(),
+              side ? 2u : 1u);
   }
 }
 

@@ -22,31 +22,31 @@ SurfaceMesh core_grid(int nx, int ny) {
 
 TEST(TriangleCause, ATriangleBesideAFreeVertexIsTheCores) {
   const SurfaceMesh mesh = core_grid(2, 2);  // the corner triangles see no free vertex
-  EXPECT_EQ(triangle_causes(mesh), (Causes{{"core", 6}, {"collision", 2}}));
+  EXPECT_EQ(triangle_causes(RunContext(), mesh), (Causes{{"core", 6}, {"collision", 2}}));
 }
 
 TEST(TriangleCause, AStripWithoutFreeVertexIsARestByItsSize) {
-  EXPECT_EQ(triangle_causes(core_grid(3, 1)), (Causes{{"last loop", 6}}));
-  EXPECT_EQ(triangle_causes(core_grid(4, 1)), (Causes{{"collision", 8}}));
+  EXPECT_EQ(triangle_causes(RunContext(), core_grid(3, 1)), (Causes{{"last loop", 6}}));
+  EXPECT_EQ(triangle_causes(RunContext(), core_grid(4, 1)), (Causes{{"collision", 8}}));
 }
 
 TEST(TriangleCause, AnElementOfALayerIsACollapse) {
   SurfaceMesh mesh = core_grid(1, 1);
   mesh.data(FaceH(0)).layer = 1;
-  EXPECT_EQ(triangle_causes(mesh), (Causes{{"collapse", 1}, {"closing", 1}}));
+  EXPECT_EQ(triangle_causes(RunContext(), mesh), (Causes{{"collapse", 1}, {"closing", 1}}));
 }
 
 TEST(TriangleCause, AColumnThatEndedIsAStep) {
   SurfaceMesh mesh = core_grid(3, 1);
   mesh.data(VertexH(4)).parent = VertexH(0);  // (0, 1) was extruded from (0, 0)
   mesh.data(VertexH(4)).layer = 1;
-  EXPECT_EQ(triangle_causes(mesh), (Causes{{"step", 1}, {"last loop", 5}}));
+  EXPECT_EQ(triangle_causes(RunContext(), mesh), (Causes{{"step", 1}, {"last loop", 5}}));
 }
 
 TEST(TriangleCause, QuadsHaveNone) {
   SurfaceMesh mesh = core_grid(1, 1);
   mesh.combine(inner_diagonal(mesh));
-  EXPECT_EQ(triangle_causes(mesh), Causes{});
+  EXPECT_EQ(triangle_causes(RunContext(), mesh), Causes{});
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Carved triangulate_loops(const std::vector<Polygon>& loops, const Polygon& loose
     }
     first += n;
   }
-  const auto range = cdt.carve();
+  const auto range = cdt.carve(RunContext());
   EXPECT_GE(range.lowest, 0);
   EXPECT_LE(range.highest, 1);
   return {cdt.release(), static_cast<int>(points.size()), mark};
@@ -186,7 +186,7 @@ TEST(ConstrainedDelaunay, KeepsBothSidesOfASlit) {
   for (int i = 0; i < 4; ++i) cdt.constrain(i, (i + 1) % 4, i);
   EXPECT_TRUE(cdt.constrain(4, 5, 4).none());
   EXPECT_EQ(cdt.constrain(5, 4, 5).overlaps, 4);
-  cdt.carve();
+  cdt.carve(RunContext());
   const auto slit = cdt.mesh().find_side(4, 5);
   ASSERT_GE(slit.t, 0);
   EXPECT_GE(cdt.mesh().opposite(slit).t, 0);

@@ -24,7 +24,7 @@ Triangulation triangulate_halving(PatchSurface& surface, Evaluator& evaluator,
       return triangulate(RunContext(), surface, evaluator, cut, settings);
     } catch (const BoundaryTooCoarse& error) {
       if (round == kHalvings) throw;
-      halve_edges(evaluator, error.edges(), cut);
+      halve_edges(RunContext(), evaluator, error.edges(), cut);
     }
   }
 }
