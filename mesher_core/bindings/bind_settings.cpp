@@ -133,6 +133,7 @@ py::object bound(double value) {
 template <class Owner>
 py::list told(const std::vector<Row<Owner>>& rows) {
   py::list list;
+  static const Owner defaults;  // no temporary: GCC 12 takes its padding for members, and warns
   for (const Row<Owner>& row : rows) {
     py::dict entry;
     entry["key"] = row.key;
@@ -148,7 +149,7 @@ py::list told(const std::vector<Row<Owner>>& rows) {
     }
     entry["choices"] = py::tuple(choices);
     entry["required"] = row.required;
-    entry["default"] = row.required ? py::object(py::none()) : value_of(row, Owner());
+    entry["default"] = row.required ? py::object(py::none()) : value_of(row, defaults);
     entry["doc"] = row.doc;
     list.append(entry);
   }
