@@ -35,7 +35,8 @@ _VALUES = {
     "layers": 'whole number or `"isotropic"`',
     "walls": '`"all"` or a list of walls',
     "sizes": "list of sizes",
-    "refinements": "list of points",
+    "refinements": "list of points, lines and boxes",
+    "periodic": "list of motions",
     "point": "list of three numbers",
     "y_plus": "object, see below",
     "extrude": "object, see below",
@@ -64,9 +65,8 @@ def page():
         "Mesh object), which it is linked to; a file or arrays become such an object. What becomes "
         "of its nodes stands in [method.md](method.md#starting-from-an-existing-mesh).", "",
         "## One wall of a list of walls", "", _table(table.WALL_SETTINGS, properties=False), "",
-        "With a list of walls, other boundary edges that touch a wall are match edges, the "
-        "rest are off; `match` and `off` override that. `end_height` is for edges with two "
-        "ends.", "",
+        "With a list of walls, `others` says what becomes of the other boundary edges; `match` and "
+        "`off` override that. `end_height` is for edges with two ends.", "",
         "In any list of edges, also in `match`, `off`, `boundary`, `smooth` and in sizes, some "
         "words stand for edges of the shape: `\"holes\"` for the inner outlines of plane faces, "
         "`\"holes 4 10\"` for those whose diameter [mm] lies between the two (an outline that is "
@@ -75,8 +75,13 @@ def page():
         "## One size of a list of sizes", "", _table(table.SIZE_SETTINGS, properties=False), "",
         "An edge takes its own size, or else the least of the faces beside it. Curved places stay "
         "as fine as curvature_angle asks. A fixed number of segments and clustering hold whatever "
-        "else asks for.", "",
-        "## One point of refinement", "", _table(table.REFINEMENT_SETTINGS, properties=False), "",
+        "else asks for; so do a first and a last segment, between which segments follow hyperbolic "
+        "tangents, geometric steps or are alike.", "",
+        "## One point, line or box of refinement", "",
+        _table(table.REFINEMENT_SETTINGS, properties=False), "",
+        "## One periodic motion", "", _table(table.PERIODIC_SETTINGS, properties=False), "",
+        "What lies where the edges and faces come to lie is found by itself; it takes their nodes, "
+        "to rounding. The report lists the pairs of nodes, and MSH files have them as links.", "",
         "## A block y_plus", "", _table(table.Y_PLUS_SETTINGS, properties=False), "",
         "The height comes from the friction on a smooth plate or in a smooth pipe; formulas and "
         "sources stand in [method.md](method.md#a-first-height-from-y). The report says it, with "
@@ -152,10 +157,12 @@ _HINTS = {
     "layers": 'Union[int, Literal["isotropic"]]', "choice": "str",
     "walls": 'Union[Literal["all"], Iterable[Mapping[str, Any]]]',
     "sizes": "Iterable[Mapping[str, Any]]", "refinements": "Iterable[Mapping[str, Any]]",
+    "periodic": "Iterable[Mapping[str, Any]]",
     "mesh": "Optional[Tuple[NDArray[np.float64], NDArray[np.int32]]]",
 }
 _GIVEN = {"number": "float", "count": "int", "flag": "bool", "edges": "Tuple[str, ...]",
-          "faces": "Union[str, Tuple[str, ...]]", "layers": "Union[int, str]", "choice": "str"}
+          "faces": "Union[str, Tuple[str, ...]]", "faces_only": "Tuple[str, ...]",
+          "layers": "Union[int, str]", "choice": "str"}
 _BEGIN, _END = "class Settings:\n", "\ndef schema("
 
 

@@ -72,12 +72,15 @@ def wall_lines(shape, settings: Mapping[str, Any]) -> Iterator[WallLines]:
 
 def _walls(shape, settings: Mapping[str, Any]) -> List[Mapping[str, Any]]:
     names = {_key(edge): f"Edge{number}" for number, edge in enumerate(shape.Edges, 1)}
-    if settings["walls"] == "all":
-        without = {*settings["match"], *settings["off"], *settings["smooth"]}
-        return [{"faces": (),
-                 "names": {key: name for key, name in names.items() if name not in without}}]
-    return [{**wall, "names": {key: name for key, name in names.items() if name in wall["edges"]}}
-            for wall in settings["walls"]]
+    listed = [] if settings["walls"] == "all" else [
+        {**wall, "names": {key: name for key, name in names.items() if name in wall["edges"]}}
+        for wall in settings["walls"]]
+    if settings["walls"] != "all" and settings.get("others") != "wall":
+        return listed
+    without = {*settings["match"], *settings["off"], *settings["smooth"],
+               *(name for wall in listed for name in wall["names"].values())}
+    rest = {key: name for key, name in names.items() if name not in without}
+    return [*listed, {"faces": (), "names": rest}]
 
 
 def _key(edge) -> int:

@@ -19,29 +19,34 @@ def core_settings(core, settings: Mapping[str, Any], diagonal: float):
     values: Dict[str, Any] = {key: value for key, value in settings.items()
                               if key not in _OWN}
     values.update(default_lengths(settings, diagonal))
-    for key in ("match", "off", "boundary", "smooth"):
+    for key in ("match", "off", "boundary", "smooth", "mapped"):
         values[key] = list(values[key])
     if values["faces"] != "all":
         values["faces"] = list(values["faces"])
     if values["walls"] != "all":
         values["walls"] = [_given(wall) for wall in values["walls"]]
-    for key in ("sizes", "refinements"):
+    for key in ("sizes", "refinements", "periodic"):
         values[key] = [_given(entry) for entry in values[key]]
     return core.Settings(**values)
 
 
+_CELLS_ACROSS = 10  # elements over each face, where nothing is said
+
+
 def default_lengths(settings: Mapping[str, Any], diagonal: float) -> Dict[str, float]:
-    """Size and first height [mm]; where not given, from y+, or from the model's diagonal to two
-    digits. Raises InputError where y_plus and first_height are both given."""
-    size, height = settings["size"], settings["first_height"]
+    """Size and first height [mm], where not given, from y+, or from the model's diagonal to two
+    digits; where neither is given, small parts get sizes of their own. Raises InputError where
+    y_plus and first_height are both given."""
+    size, height, across = settings["size"], settings["first_height"], settings["cells_across"]
     if size is None:
         size = float(f"{diagonal / 40.0:.2g}")
+        across = across or (_CELLS_ACROSS if height is None else 0)
     flow = flow_height.of_settings(settings)
     if flow is not None:
         height = flow.first_height
     elif height is None:
         height = float(f"{size / 10.0:.2g}")
-    return {"size": size, "first_height": height}
+    return {"size": size, "first_height": height, "cells_across": across}
 
 
 def _given(entry: Mapping[str, Any]) -> Dict[str, Any]:

@@ -15,7 +15,7 @@ PRESETS: Dict[str, Dict[str, Any]] = {
     "fem": {**_SHAPE, "walls": []},
     # Two rings of square quads about every hole, nothing elsewhere.
     "washers": {**_SHAPE, "walls": [{"edges": ["holes"], "aspect_ratio": 1.0, "layers": 2,
-                                     "growth": 1.0}]},
+                                     "growth": 1.0}], "others": "off"},
 }
 
 

@@ -24,6 +24,9 @@ def make_report(input_name: str, mesh, notes: List[Dict[str, Any]],
     # The heights asked for at every single node are for those who have the nodes.
     report["walls"] = [{key: value for key, value in wall.items() if key != "first_heights"}
                        for wall in mesh.walls]
+    if len(mesh.periodic_nodes):
+        report["periodic"] = [[[node + 1, other + 1] for node, other in pairs]
+                              for pairs in mesh.periodic_nodes]
     report["diagnostics"] = list(notes) + list(mesh.diagnostics)
     report["seconds"] = {key: round(seconds.get(key, 0.0), 6) for key in SECONDS}
     return report

@@ -9,8 +9,8 @@ from typing import Any, Callable, Dict, Iterable, Mapping, Tuple
 from advlayers.errors import InputError
 from advlayers.features import is_feature
 from advlayers.settings_table import (
-    EXTRUDE_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, VOLUME_SETTINGS, WALL_SETTINGS,
-    Y_PLUS_SETTINGS, Setting, range_said)
+    EXTRUDE_SETTINGS, PERIODIC_SETTINGS, REFINEMENT_SETTINGS, SIZE_SETTINGS, VOLUME_SETTINGS,
+    WALL_SETTINGS, Y_PLUS_SETTINGS, Setting, range_said)
 
 _NAME = re.compile(r"(Face|Edge)([1-9][0-9]*)")
 _UNV_MARK = "-1"
@@ -61,7 +61,10 @@ def check_names(settings: Mapping[str, Any], faces: int, edges: int, what: str) 
     for i, size in enumerate(settings["sizes"]):
         check(f"sizes[{i}].edges", size["edges"])
         check(f"sizes[{i}].faces", size["faces"])
-    for key in ("match", "off", "boundary", "smooth"):
+    for i, entry in enumerate(settings["periodic"]):
+        check(f"periodic[{i}].edges", entry["edges"])
+        check(f"periodic[{i}].faces", entry["faces"])
+    for key in ("match", "off", "boundary", "smooth", "mapped"):
         check(key, settings[key])
     meshed = None if settings["faces"] in ("all", ()) else set(settings["faces"])
     for group, names in settings["groups"].items():
@@ -217,6 +220,10 @@ def _refinements(key: str, value: Any, _entry: Setting) -> Tuple[Dict, ...]:
     return _entries(key, value, REFINEMENT_SETTINGS)
 
 
+def _periodic(key: str, value: Any, _entry: Setting) -> Tuple[Dict, ...]:
+    return _entries(key, value, PERIODIC_SETTINGS)
+
+
 def _y_plus(key: str, value: Any, _entry: Setting) -> Dict[str, Any]:
     return _block(key, value, Y_PLUS_SETTINGS)
 
@@ -266,8 +273,8 @@ def _groups(key: str, value: Any, _entry: Setting) -> Dict[str, Tuple[str, ...]]
 CHECKS: Dict[str, Callable[[str, Any, Setting], Any]] = {
     "number": _number, "count": _count, "layers": _layers, "choice": _choice, "flag": _flag,
     "text": _text, "path": _text, "mesh": _mesh, "paths": _paths, "faces": _faces,
-    "faces_only": _faces_only,
-    "edges": _edges, "walls": _walls, "groups": _groups,
+    "faces_only": _faces_only, "periodic": _periodic, "edges": _edges,
+    "walls": _walls, "groups": _groups,
     "sizes": _sizes, "refinements": _refinements, "point": _point, "y_plus": _y_plus,
     "extrude": _extrude, "volume": _volume, "words": _words,
 }

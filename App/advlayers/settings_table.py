@@ -34,9 +34,11 @@ class Setting:
 # Where documents have the core's settings: the group of a property, or the child objects.
 _GROUPS = {
     "faces": "Geometry", "feature_angle": "Geometry", "initial_mesh": "Geometry",
-    "size": "Size", "curvature_angle": "Size", "size_growth": "Size", "refinements": "Size",
-    "core": "Size", "order": "Size", "first_height": "Layers", "growth": "Layers",
-    "layers": "Layers", "threads": "Run",
+    "size": "Size", "curvature_angle": "Size", "min_size": "Size", "chord_deviation": "Size",
+    "relative_chord": "Size", "cells_across": "Size", "size_growth": "Size",
+    "refinements": "Size", "mapped": "Size", "periodic": "Size", "core": "Size",
+    "order": "Size", "first_height": "Layers", "growth": "Layers", "layers": "Layers",
+    "others": "Layers", "threads": "Run",
 }
 _CHILDREN = {"sizes": "Size", "walls": "Wall", "match": "Wall", "off": "Wall", "boundary": "Wall",
              "smooth": "Wall"}
@@ -59,7 +61,7 @@ def _mesh_setting(row: Mapping[str, Any]) -> Setting:
 
 def _table(name: str) -> Tuple[Setting, ...]:
     """Of the entries of a list, where a box that is not ticked says nothing."""
-    return tuple(replace(entry, default=None) if entry.kind == "flag" else entry
+    return tuple(replace(entry, default=None) if entry.kind in ("flag", "point") else entry
                  for entry in (_of_core(row, True) for row in _SCHEMA[name]))
 
 
@@ -70,6 +72,7 @@ _SCHEMA = core_schema()
 WALL_SETTINGS = _table("walls")
 SIZE_SETTINGS = _table("sizes")
 REFINEMENT_SETTINGS = _table("refinements")
+PERIODIC_SETTINGS = _table("periodic")
 
 # Of the mesh, but not of the core's Settings.
 OWN_SETTINGS = (
@@ -260,7 +263,8 @@ def value_settings(table: Iterable[Setting]) -> List[Setting]:
 def keys() -> FrozenSet[str]:
     """Of all settings, and what an InputError of another origin has for one."""
     tables = (MESH_SETTINGS, JOB_SETTINGS, EXPORT_SETTINGS, WALL_SETTINGS, SIZE_SETTINGS,
-              REFINEMENT_SETTINGS, Y_PLUS_SETTINGS, EXTRUDE_SETTINGS, VOLUME_SETTINGS)
+              REFINEMENT_SETTINGS, PERIODIC_SETTINGS, Y_PLUS_SETTINGS, EXTRUDE_SETTINGS,
+              VOLUME_SETTINGS)
     return frozenset(entry.key for table in tables for entry in table) | {
         "references", "condition", "file"}
 

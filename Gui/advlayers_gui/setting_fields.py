@@ -242,6 +242,14 @@ class FlagField(Field):
         self.widget.toggled.connect(lambda _on: act())
 
 
+def _short(word: str) -> str:
+    """A number with as many digits as one likes to read."""
+    try:
+        return f"{float(word):g}"
+    except ValueError:
+        return word
+
+
 class LinesField(Field):
     """A line of numbers for each of several things, as the property has them."""
 
@@ -256,7 +264,7 @@ class LinesField(Field):
 
     def show(self, value: Any) -> None:
         self.widget.setPlainText("\n".join(
-            " ".join(f"{float(word):g}" for word in line.split())
+            " ".join(_short(word) for word in line.split())
             for line in to_property(self.entry, value)))
 
     def on_edited(self, act: Callable[[], None]) -> None:
@@ -294,7 +302,8 @@ def field_for(entry: Setting, document_object) -> Field:
     if entry.kind == "number":
         return QuantityField(entry) if entry.unit else NumberField(entry)
     return {"count": CountField, "layers": LayersField, "choice": ChoiceField,
-            "flag": FlagField, "refinements": LinesField}[entry.kind](entry)
+            "flag": FlagField, "refinements": LinesField, "faces_only": LinesField,
+            "periodic": LinesField}[entry.kind](entry)
 
 
 def label_of(entry: Setting) -> str:

@@ -388,6 +388,14 @@
         <translation>Zellen</translation>
     </message>
     <message>
+        <source>Cells across</source>
+        <translation>Elemente quer</translation>
+    </message>
+    <message>
+        <source>Chord deviation</source>
+        <translation>Sehnenabweichung</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
     </message>
@@ -406,6 +414,10 @@
     <message>
         <source>Core</source>
         <translation>Kern</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
     </message>
     <message>
         <source>Curvature angle</source>
@@ -428,6 +440,10 @@
         <translation>Richtung</translation>
     </message>
     <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Kante</translation>
     </message>
@@ -446,6 +462,10 @@
     <message>
         <source>Edit Wall, Size or Group</source>
         <translation>Wand, Größe oder Gruppe bearbeiten</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
     </message>
     <message>
         <source>End height</source>
@@ -502,6 +522,10 @@
     <message>
         <source>First height from y+</source>
         <translation>Erste Höhe aus y+</translation>
+    </message>
+    <message>
+        <source>First segment</source>
+        <translation>Erster Abschnitt</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -588,6 +612,10 @@
         <translation>Art</translation>
     </message>
     <message>
+        <source>Last segment</source>
+        <translation>Letzter Abschnitt</translation>
+    </message>
+    <message>
         <source>Layer</source>
         <translation>Schicht</translation>
     </message>
@@ -632,6 +660,10 @@
         <translation>Verlorene Referenzen</translation>
     </message>
     <message>
+        <source>Mapped</source>
+        <translation>Abgebildet</translation>
+    </message>
+    <message>
         <source>Match</source>
         <translation>Entlang</translation>
     </message>
@@ -658,6 +690,10 @@
     <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Vernetzt mit den Einstellungen unten; OK übernimmt das Netz danach ins Dokument</translation>
+    </message>
+    <message>
+        <source>Min size</source>
+        <translation>Kleinste Größe</translation>
     </message>
     <message>
         <source>Most slivers</source>
@@ -736,6 +772,10 @@
         <translation>Ordnung</translation>
     </message>
     <message>
+        <source>Others</source>
+        <translation>Übrige</translation>
+    </message>
+    <message>
         <source>Out of date</source>
         <translation>Veraltet</translation>
     </message>
@@ -754,6 +794,10 @@
     <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Teilfläche {patch} von {patches} · Schicht {layer}</translation>
+    </message>
+    <message>
+        <source>Periodic</source>
+        <translation>Periodisch</translation>
     </message>
     <message>
         <source>Point</source>
@@ -798,6 +842,10 @@
     <message>
         <source>Refinements</source>
         <translation>Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>Relative chord</source>
+        <translation>Relative Sehne</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -960,8 +1008,16 @@
         <translation>Dicke</translation>
     </message>
     <message>
+        <source>Thickness share</source>
+        <translation>Dickenanteil</translation>
+    </message>
+    <message>
         <source>Threads</source>
         <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation>Verschiebung</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -1088,8 +1144,8 @@
         <translation>eine Kante</translation>
     </message>
     <message>
-        <source>an entry needs a size, segments or cluster</source>
-        <translation>ein Eintrag braucht eine Elementgröße, eine Zahl von Abschnitten oder eine Verdichtung</translation>
+        <source>an entry needs a size, segments, cluster or a segment at an end</source>
+        <translation>ein Eintrag braucht eine Größe, Abschnitte, eine Verdichtung oder einen Abschnitt an einem Ende</translation>
     </message>
     <message>
         <source>and {} exclude each other</source>
@@ -1156,6 +1212,10 @@
         <translation>CFD</translation>
     </message>
     <message>
+        <source>constant</source>
+        <translation>gleichmäßig</translation>
+    </message>
+    <message>
         <source>cuts the mesh: it lies on both sides</source>
         <translation>schneidet das Netz: es liegt auf beiden Seiten</translation>
     </message>
@@ -1204,6 +1264,10 @@
         <translation>erste Höhe {} mm (Reynolds-Zahl {}); die Grenzschicht ist etwa {} mm dick: {} Schichten mit Wachstum {}</translation>
     </message>
     <message>
+        <source>geometric</source>
+        <translation>geometrisch</translation>
+    </message>
+    <message>
         <source>goes with axis_direction only</source>
         <translation>gehört nur zu axis_direction</translation>
     </message>
@@ -1228,8 +1292,8 @@
         <translation>hat das unbekannte Format {} ({}): {}</translation>
     </message>
     <message>
-        <source>holds more than five numbers: {}</source>
-        <translation>mehr als fünf Zahlen: {}</translation>
+        <source>holds a number too many: {}</source>
+        <translation>enthält eine Zahl zu viel: {}</translation>
     </message>
     <message>
         <source>holds no face to mesh: {}</source>
@@ -1500,6 +1564,10 @@
         <translation>macht Elemente erster Ordnung: verträgt sich nicht mit Ordnung 2</translation>
     </message>
     <message>
+        <source>match</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
         <translation>Für sich vernetzt, weil die Elemente ihrer Teilflächen ihnen nicht folgen konnten: {}</translation>
     </message>
@@ -1610,6 +1678,10 @@
     <message>
         <source>must have a length</source>
         <translation>muss eine Länge haben</translation>
+    </message>
+    <message>
+        <source>must hold texts like "Face1 move x y z", got {}</source>
+        <translation>muss Texte wie „Face1 move x y z“ enthalten, nicht {}</translation>
     </message>
     <message>
         <source>must hold texts like "x y z size radius", got {}</source>
@@ -1736,6 +1808,10 @@
         <translation>für ein solches Objekt ({}) nicht möglich: {}</translation>
     </message>
     <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
         <source>pick a face or an edge of {}</source>
         <translation>wählen Sie eine Fläche oder Kante von {}</translation>
     </message>
@@ -1810,6 +1886,10 @@
     <message>
         <source>size and segments of an edge exclude each other</source>
         <translation>Elementgröße und Zahl der Abschnitte einer Kante schließen einander aus</translation>
+    </message>
+    <message>
+        <source>tanh</source>
+        <translation>tanh</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -1908,6 +1988,10 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
+        <source>wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
         <source>warning</source>
         <translation>Warnung</translation>
     </message>
@@ -1970,6 +2054,10 @@
     <message>
         <source>{} and {}</source>
         <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other</source>
+        <translation>{} und {} schließen sich aus</translation>
     </message>
     <message>
         <source>{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
@@ -2112,6 +2200,18 @@
         <translation>{} ist nicht geschlossen: {} Seiten von Elementen haben keinen Nachbarn, eine bei ({}, {}, {})</translation>
     </message>
     <message>
+        <source>{} is not mapped: its outline has no four corners, and it is no ring in a plane</source>
+        <translation>{} wird nicht abgebildet: ihr Umriss hat keine vier Ecken, und sie ist kein Ring in einer Ebene</translation>
+    </message>
+    <message>
+        <source>{} is not mapped: its sides are cut into different numbers of segments, or rows between them would fold</source>
+        <translation>{} wird nicht abgebildet: ihre Seiten sind in verschieden viele Abschnitte geteilt, oder Zeilen zwischen ihnen würden sich falten</translation>
+    </message>
+    <message>
+        <source>{} is not meshed as {} is: they do not lie alike, or are parts of larger patches</source>
+        <translation>{} wird nicht wie {} vernetzt: sie liegen nicht gleich oder sind Teile größerer Bereiche</translation>
+    </message>
+    <message>
         <source>{} is not meshed: {}</source>
         <translation>{} wird nicht vernetzt: {}</translation>
     </message>
@@ -2236,6 +2336,14 @@
         <translation>{}: ein Eintrag nennt keine Kante</translation>
     </message>
     <message>
+        <source>{}: an entry needs a translation or an angle</source>
+        <translation>{}: ein Eintrag braucht eine Verschiebung oder einen Winkel</translation>
+    </message>
+    <message>
+        <source>{}: coordinates must be finite</source>
+        <translation>{}: Koordinaten müssen endlich sein</translation>
+    </message>
+    <message>
         <source>{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
         <translation>{}: erste Höhen von {} bis {} mm; verlangt waren im Mittel {} mm, Abweichung bis zu {} %</translation>
     </message>
@@ -2274,6 +2382,14 @@
     <message>
         <source>{}: mesh edges of {} leave boundary on the wrong side</source>
         <translation>{}: Netzkanten von {} lassen den Rand auf der falschen Seite</translation>
+    </message>
+    <message>
+        <source>{}: no edge lies where {} comes to lie</source>
+        <translation>{}: wo {} zu liegen kommt, liegt keine Kante</translation>
+    </message>
+    <message>
+        <source>{}: no face lies where {} comes to lie</source>
+        <translation>{}: wo {} zu liegen kommt, liegt keine Fläche</translation>
     </message>
     <message>
         <source>{}: no process can be started to read it: {}</source>
@@ -2328,6 +2444,10 @@
         <translation>{}: gegen die Fläche invertierte Dreiecke: {}; das schlimmste neigt sich um {} Grad</translation>
     </message>
     <message>
+        <source>{}: {} and {} exclude each other</source>
+        <translation>{}: {} und {} schließen sich aus</translation>
+    </message>
+    <message>
         <source>{}: {} elements are turned over against the surface</source>
         <translation>{}: {} Elemente sind gegen die Fläche invertiert</translation>
     </message>
@@ -2362,6 +2482,10 @@
     <message>
         <source>{}: {} must bound its patch: {}</source>
         <translation>{}: {} muss ihre Teilfläche begrenzen: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} must not be zero</source>
+        <translation>{}: {} darf nicht null sein</translation>
     </message>
     <message>
         <source>{}: {} needs an edge with two ends, {} is closed</source>
@@ -2423,6 +2547,14 @@
         <translation>Beide Enden</translation>
     </message>
     <message>
+        <source>Cells Across</source>
+        <translation>Elemente quer</translation>
+    </message>
+    <message>
+        <source>Chord Deviation</source>
+        <translation>Sehnenabweichung</translation>
+    </message>
+    <message>
         <source>Cluster</source>
         <translation>Verdichtung</translation>
     </message>
@@ -2463,6 +2595,10 @@
         <translation>Dimensionslose Höhe der ersten Schicht; ihre Mitte liegt bei der Hälfte davon.</translation>
     </message>
     <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
         <source>Dynamic viscosity of another fluid [Pa s].</source>
         <translation>Dynamische Viskosität eines anderen Fluids [Pa s].</translation>
     </message>
@@ -2495,6 +2631,10 @@
         <translation>Kantenlänge des Netzes. 0: nicht angegeben.</translation>
     </message>
     <message>
+        <source>Edges and faces that a motion brings onto others: these are cut and meshed as copies of those; as a property, texts: Face1 move x y z, or Edge1 Edge2 turn x y z x y z angle, with a point on the axis and its direction.</source>
+        <translation>Kanten und Flächen, die eine Bewegung auf andere bringt: diese werden als Kopien jener geteilt und vernetzt; als Eigenschaft Texte: Face1 move x y z, oder Edge1 Edge2 turn x y z x y z Winkel, mit einem Punkt der Achse und ihrer Richtung.</translation>
+    </message>
+    <message>
         <source>Element Layers</source>
         <translation>Schichten der Elemente</translation>
     </message>
@@ -2519,12 +2659,20 @@
         <translation>Flächen, deren Kanten nicht weiter als dies voneinander liegen, werden dort vor dem Vernetzen verbunden; 0 verbindet keine. Flächen und Kanten behalten ihre Namen.</translation>
     </message>
     <message>
+        <source>Faces with four sides that are filled with rows and columns of quads from side to side, with the layers of walls along them; facing sides get as many mesh edges.</source>
+        <translation>Flächen mit vier Seiten, die mit Zeilen und Spalten von Vierecken von Seite zu Seite gefüllt werden, mit den Schichten der Wände an ihnen; gegenüberliegende Seiten bekommen gleich viele Netzkanten.</translation>
+    </message>
+    <message>
         <source>Feature Angle</source>
         <translation>Kantenwinkel</translation>
     </message>
     <message>
         <source>First Height</source>
         <translation>Erste Höhe</translation>
+    </message>
+    <message>
+        <source>First Segment</source>
+        <translation>Erster Abschnitt</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -2583,6 +2731,10 @@
         <translation>Wie weit die Höhe jedes Elements einer Schicht von der verlangten abweicht, bezogen auf diese; NaN für den Kern.</translation>
     </message>
     <message>
+        <source>How mesh edges grow between first and last segment: smoothly towards both, in geometric steps, or not at all beyond one step.</source>
+        <translation>Wie Netzkanten zwischen dem ersten und dem letzten Abschnitt wachsen: glatt zu beiden hin, in geometrischen Schritten oder nach einem Schritt gar nicht.</translation>
+    </message>
+    <message>
         <source>Initial Mesh</source>
         <translation>Ausgangsnetz</translation>
     </message>
@@ -2603,8 +2755,20 @@
         <translation>Statt der ersten Höhe: das Verhältnis der Netzkantenlänge entlang der Wand zur ersten Höhe, überall. 0: nicht angegeben.</translation>
     </message>
     <message>
+        <source>Instead of thickness: the height of all layers together over the size along the edge.</source>
+        <translation>Statt thickness: die Höhe aller Schichten zusammen, geteilt durch die Größe an der Kante.</translation>
+    </message>
+    <message>
+        <source>Instead of thickness: the height of all layers together over the size along the edge. 0: not given.</source>
+        <translation>Statt thickness: die Höhe aller Schichten zusammen, geteilt durch die Größe an der Kante. 0: nicht angegeben.</translation>
+    </message>
+    <message>
         <source>Inverted Count</source>
         <translation>Invertierte Elemente</translation>
+    </message>
+    <message>
+        <source>Last Segment</source>
+        <translation>Letzter Abschnitt</translation>
     </message>
     <message>
         <source>Layer Groups</source>
@@ -2619,8 +2783,28 @@
         <translation>Schichten wachsen von jeder Randkante, solange keine Wand des Netzes anderes sagt.</translation>
     </message>
     <message>
+        <source>Length of the first mesh edge at the first vertex of each CAD edge.</source>
+        <translation>Länge der ersten Netzkante am ersten Eckpunkt jeder CAD-Kante.</translation>
+    </message>
+    <message>
+        <source>Length of the first mesh edge at the first vertex of each CAD edge. 0: not given.</source>
+        <translation>Länge der ersten Netzkante am ersten Eckpunkt jeder CAD-Kante. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Length of the last mesh edge at the last vertex of each CAD edge.</source>
+        <translation>Länge der letzten Netzkante am letzten Eckpunkt jeder CAD-Kante.</translation>
+    </message>
+    <message>
+        <source>Length of the last mesh edge at the last vertex of each CAD edge. 0: not given.</source>
+        <translation>Länge der letzten Netzkante am letzten Eckpunkt jeder CAD-Kante. 0: nicht angegeben.</translation>
+    </message>
+    <message>
         <source>Makes a group of the elements of each layer, too: Layer1, Layer2, … and Core.</source>
         <translation>Macht auch aus den Elementen jeder Schicht eine Gruppe: Layer1, Layer2, … und Core.</translation>
+    </message>
+    <message>
+        <source>Mapped</source>
+        <translation>Abgebildet</translation>
     </message>
     <message>
         <source>Max Angle</source>
@@ -2675,6 +2859,10 @@
         <translation>Kleinster Winkel</translation>
     </message>
     <message>
+        <source>Min Size</source>
+        <translation>Kleinste Größe</translation>
+    </message>
+    <message>
         <source>Node Count</source>
         <translation>Knotenzahl</translation>
     </message>
@@ -2715,6 +2903,10 @@
         <translation>Ordnung</translation>
     </message>
     <message>
+        <source>Others</source>
+        <translation>Übrige</translation>
+    </message>
+    <message>
         <source>Part</source>
         <translation>Teil</translation>
     </message>
@@ -2723,16 +2915,20 @@
         <translation>An einer Platte entlang oder ausgebildet in einem Rohr.</translation>
     </message>
     <message>
+        <source>Periodic</source>
+        <translation>Periodisch</translation>
+    </message>
+    <message>
         <source>Picked</source>
         <translation>Gewählt</translation>
     </message>
     <message>
-        <source>Points about which the mesh is finer; as a property, texts of five numbers: x y z size radius.</source>
-        <translation>Punkte, um die das Netz feiner ist; als Eigenschaft Texte aus fünf Zahlen: x y z Größe Radius.</translation>
-    </message>
-    <message>
         <source>Points of the shape that was meshed.</source>
         <translation>Punkte der vernetzten Form.</translation>
+    </message>
+    <message>
+        <source>Points, lines and boxes about which the mesh is finer; as a property, texts: x y z size radius, or line x y z x y z size radius, or box x y z x y z size radius.</source>
+        <translation>Punkte, Strecken und Quader, um die das Netz feiner ist; als Eigenschaft Texte: x y z Größe Radius, oder line x y z x y z Größe Radius, oder box x y z x y z Größe Radius.</translation>
     </message>
     <message>
         <source>Quad Count</source>
@@ -2769,6 +2965,10 @@
     <message>
         <source>Refinements</source>
         <translation>Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>Relative Chord</source>
+        <translation>Relative Sehne</translation>
     </message>
     <message>
         <source>Run</source>
@@ -2855,6 +3055,14 @@
         <translation>Die Schicht, in der jeder Knoten entstand; sonst 0.</translation>
     </message>
     <message>
+        <source>The least edge length that curvature and chords may ask for; 0: any. Sizes of edges, faces and regions are not held to it.</source>
+        <translation>Die kleinste Kantenlänge, die Krümmung und Sehnen verlangen dürfen; 0: jede. Für Größen von Kanten, Flächen und Gebieten gilt sie nicht.</translation>
+    </message>
+    <message>
+        <source>The least number of elements over the extent of each face, however small it is beside the whole, down to a tenth of size; a small outline inside a plane face, such as an airfoil in its domain, gets twelve times as many around it, fewer where there are several. First heights of a tenth of size or more are held to a tenth of the mesh edges along their wall. 0: none. Default: 10 where neither size nor first_height is given.</source>
+        <translation>Die kleinste Zahl von Elementen über die Ausdehnung jeder Fläche, wie klein sie neben dem Ganzen auch ist, bis hinab zu einem Zehntel der Größe; ein kleiner Umriss in einer ebenen Fläche, etwa ein Profil in seinem Gebiet, bekommt zwölfmal so viele um sich herum, bei mehreren weniger. Erste Höhen von einem Zehntel der Größe oder mehr werden auf ein Zehntel der Netzkanten ihrer Wand gesenkt. 0: keine. Vorgabe: 10, wo weder size noch first_height angegeben ist.</translation>
+    </message>
+    <message>
         <source>The local sizes of the mesh.</source>
         <translation>Die örtlichen Elementgrößen des Netzes.</translation>
     </message>
@@ -2865,6 +3073,10 @@
     <message>
         <source>The most that one element edge may turn along a curved edge or face; finer than size where the shape is curved.</source>
         <translation>Um wie viel sich eine Elementkante entlang einer gekrümmten Kante oder Fläche höchstens drehen darf; feiner als die Elementgröße, wo die Form gekrümmt ist.</translation>
+    </message>
+    <message>
+        <source>The most that the middle of a mesh edge may lie off the curve or surface that it stands for; 0: any.</source>
+        <translation>Wie weit die Mitte einer Netzkante höchstens neben der Kurve oder Fläche liegen darf, für die sie steht; 0: beliebig.</translation>
     </message>
     <message>
         <source>The named groups of the mesh.</source>
@@ -2885,6 +3097,10 @@
     <message>
         <source>The report of the mesh, as a job writes it.</source>
         <translation>Der Bericht über das Netz, wie ein Stapelauftrag ihn schreibt.</translation>
+    </message>
+    <message>
+        <source>The same over the length of the mesh edge; 0: any.</source>
+        <translation>Dasselbe, geteilt durch die Länge der Netzkante; 0: beliebig.</translation>
     </message>
     <message>
         <source>The settings that the mesh was made with.</source>
@@ -2909,6 +3125,10 @@
     <message>
         <source>Thickness</source>
         <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Thickness Share</source>
+        <translation>Dickenanteil</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -2941,6 +3161,10 @@
     <message>
         <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>
         <translation>Wand (Wall): Schichten wachsen von den Kanten. Entlang (Match): Schichten anderer Wände laufen an ihnen entlang. Aus (Off): keins von beidem. Rand (Boundary): sie begrenzen ihre Flächen, wie glatt diese auch aneinander stoßen. Glatt (Smooth): Schichten laufen über sie hinweg.</translation>
+    </message>
+    <message>
+        <source>What becomes of boundary edges that a list of walls leaves out: those that meet a wall are match edges, or all are off, or all are walls of the mesh's own values.</source>
+        <translation>Was aus Randkanten wird, die eine Liste von Wänden auslässt: solche, die eine Wand berühren, werden Anschlusskanten (match), oder alle sind aus (off), oder alle sind Wände mit den Werten des Netzes (wall).</translation>
     </message>
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>

@@ -388,6 +388,14 @@
         <translation>Cellules</translation>
     </message>
     <message>
+        <source>Cells across</source>
+        <translation>Éléments en travers</translation>
+    </message>
+    <message>
+        <source>Chord deviation</source>
+        <translation>Écart de corde</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
     </message>
@@ -406,6 +414,10 @@
     <message>
         <source>Core</source>
         <translation>Cœur</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Coin</translation>
     </message>
     <message>
         <source>Curvature angle</source>
@@ -428,6 +440,10 @@
         <translation>Direction</translation>
     </message>
     <message>
+        <source>Distribution</source>
+        <translation>Répartition</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Arête</translation>
     </message>
@@ -446,6 +462,10 @@
     <message>
         <source>Edit Wall, Size or Group</source>
         <translation>Modifier la paroi, la taille ou le groupe</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
     </message>
     <message>
         <source>End height</source>
@@ -502,6 +522,10 @@
     <message>
         <source>First height from y+</source>
         <translation>Première hauteur d'après y+</translation>
+    </message>
+    <message>
+        <source>First segment</source>
+        <translation>Premier segment</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -588,6 +612,10 @@
         <translation>Type</translation>
     </message>
     <message>
+        <source>Last segment</source>
+        <translation>Dernier segment</translation>
+    </message>
+    <message>
         <source>Layer</source>
         <translation>Couche</translation>
     </message>
@@ -632,6 +660,10 @@
         <translation>Références perdues</translation>
     </message>
     <message>
+        <source>Mapped</source>
+        <translation>Réglées</translation>
+    </message>
+    <message>
         <source>Match</source>
         <translation>Suivre</translation>
     </message>
@@ -658,6 +690,10 @@
     <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Maille avec les réglages ci-dessous ; OK met ensuite le maillage dans le document</translation>
+    </message>
+    <message>
+        <source>Min size</source>
+        <translation>Taille minimale</translation>
     </message>
     <message>
         <source>Most slivers</source>
@@ -736,6 +772,10 @@
         <translation>Ordre</translation>
     </message>
     <message>
+        <source>Others</source>
+        <translation>Autres</translation>
+    </message>
+    <message>
         <source>Out of date</source>
         <translation>Obsolète</translation>
     </message>
@@ -754,6 +794,10 @@
     <message>
         <source>Patch {patch} of {patches} · layer {layer}</source>
         <translation>Partie {patch} sur {patches} · couche {layer}</translation>
+    </message>
+    <message>
+        <source>Periodic</source>
+        <translation>Périodiques</translation>
     </message>
     <message>
         <source>Point</source>
@@ -798,6 +842,10 @@
     <message>
         <source>Refinements</source>
         <translation>Raffinements</translation>
+    </message>
+    <message>
+        <source>Relative chord</source>
+        <translation>Corde relative</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -960,8 +1008,16 @@
         <translation>Épaisseur</translation>
     </message>
     <message>
+        <source>Thickness share</source>
+        <translation>Part d'épaisseur</translation>
+    </message>
+    <message>
         <source>Threads</source>
         <translation>Fils d'exécution</translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation>Translation</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -1088,8 +1144,8 @@
         <translation>une arête</translation>
     </message>
     <message>
-        <source>an entry needs a size, segments or cluster</source>
-        <translation>une entrée a besoin d'une taille, d'un nombre de segments ou d'un resserrement</translation>
+        <source>an entry needs a size, segments, cluster or a segment at an end</source>
+        <translation>une entrée doit avoir une taille, des segments, un resserrement ou un segment à une extrémité</translation>
     </message>
     <message>
         <source>and {} exclude each other</source>
@@ -1156,6 +1212,10 @@
         <translation>CFD</translation>
     </message>
     <message>
+        <source>constant</source>
+        <translation>constante</translation>
+    </message>
+    <message>
         <source>cuts the mesh: it lies on both sides</source>
         <translation>coupe le maillage : il se trouve des deux côtés</translation>
     </message>
@@ -1204,6 +1264,10 @@
         <translation>première hauteur {} mm (nombre de Reynolds {}) ; la couche limite a une épaisseur d'environ {} mm : {} couches de croissance {}</translation>
     </message>
     <message>
+        <source>geometric</source>
+        <translation>géométrique</translation>
+    </message>
+    <message>
         <source>goes with axis_direction only</source>
         <translation>ne va qu'avec axis_direction</translation>
     </message>
@@ -1228,8 +1292,8 @@
         <translation>est d'un format inconnu, {} ({}) : {}</translation>
     </message>
     <message>
-        <source>holds more than five numbers: {}</source>
-        <translation>plus de cinq nombres : {}</translation>
+        <source>holds a number too many: {}</source>
+        <translation>contient un nombre de trop : {}</translation>
     </message>
     <message>
         <source>holds no face to mesh: {}</source>
@@ -1500,6 +1564,10 @@
         <translation>donne des éléments du premier ordre : ne va pas avec l'ordre 2</translation>
     </message>
     <message>
+        <source>match</source>
+        <translation>raccord</translation>
+    </message>
+    <message>
         <source>meshed on their own, as the elements of their patches could not follow them: {}</source>
         <translation>Maillées à part, car les éléments de leurs parties ne pouvaient pas les suivre : {}</translation>
     </message>
@@ -1610,6 +1678,10 @@
     <message>
         <source>must have a length</source>
         <translation>doit avoir une longueur</translation>
+    </message>
+    <message>
+        <source>must hold texts like "Face1 move x y z", got {}</source>
+        <translation>doit contenir des textes comme « Face1 move x y z », pas {}</translation>
     </message>
     <message>
         <source>must hold texts like "x y z size radius", got {}</source>
@@ -1736,6 +1808,10 @@
         <translation>impossible pour un tel objet ({}) : {}</translation>
     </message>
     <message>
+        <source>off</source>
+        <translation>sans effet</translation>
+    </message>
+    <message>
         <source>pick a face or an edge of {}</source>
         <translation>choisissez une face ou une arête de {}</translation>
     </message>
@@ -1810,6 +1886,10 @@
     <message>
         <source>size and segments of an edge exclude each other</source>
         <translation>taille et nombre de segments d'une arête s'excluent</translation>
+    </message>
+    <message>
+        <source>tanh</source>
+        <translation>tanh</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -1908,6 +1988,10 @@
         <translation>triangles</translation>
     </message>
     <message>
+        <source>wall</source>
+        <translation>paroi</translation>
+    </message>
+    <message>
         <source>warning</source>
         <translation>avertissement</translation>
     </message>
@@ -1970,6 +2054,10 @@
     <message>
         <source>{} and {}</source>
         <translation>{} et {}</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other</source>
+        <translation>{} et {} s'excluent</translation>
     </message>
     <message>
         <source>{} and {} more: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
@@ -2112,6 +2200,18 @@
         <translation>{} n'est pas fermé : {} côtés d'éléments n'ont pas de voisin, l'un en ({}, {}, {})</translation>
     </message>
     <message>
+        <source>{} is not mapped: its outline has no four corners, and it is no ring in a plane</source>
+        <translation>{} n'est pas réglée : son contour n'a pas quatre coins, et ce n'est pas un anneau plan</translation>
+    </message>
+    <message>
+        <source>{} is not mapped: its sides are cut into different numbers of segments, or rows between them would fold</source>
+        <translation>{} n'est pas réglée : ses côtés sont découpés en nombres différents de segments, ou des rangées entre eux se plieraient</translation>
+    </message>
+    <message>
+        <source>{} is not meshed as {} is: they do not lie alike, or are parts of larger patches</source>
+        <translation>{} n'est pas maillée comme {} : elles ne sont pas disposées de même, ou font partie de zones plus grandes</translation>
+    </message>
+    <message>
         <source>{} is not meshed: {}</source>
         <translation>{} n'est pas maillée : {}</translation>
     </message>
@@ -2236,6 +2336,14 @@
         <translation>{} : une entrée ne nomme aucune arête</translation>
     </message>
     <message>
+        <source>{}: an entry needs a translation or an angle</source>
+        <translation>{} : une entrée doit avoir une translation ou un angle</translation>
+    </message>
+    <message>
+        <source>{}: coordinates must be finite</source>
+        <translation>{} : les coordonnées doivent être finies</translation>
+    </message>
+    <message>
         <source>{}: first heights from {} to {} mm, off those asked for ({} mm on average) by up to {} %</source>
         <translation>{} : premières hauteurs de {} à {} mm ; demandé : {} mm en moyenne, écart jusqu'à {} %</translation>
     </message>
@@ -2274,6 +2382,14 @@
     <message>
         <source>{}: mesh edges of {} leave boundary on the wrong side</source>
         <translation>{} : des arêtes de maillage de {} laissent le contour du mauvais côté</translation>
+    </message>
+    <message>
+        <source>{}: no edge lies where {} comes to lie</source>
+        <translation>{} : aucune arête ne se trouve où {} arrive</translation>
+    </message>
+    <message>
+        <source>{}: no face lies where {} comes to lie</source>
+        <translation>{} : aucune face ne se trouve où {} arrive</translation>
     </message>
     <message>
         <source>{}: no process can be started to read it: {}</source>
@@ -2328,6 +2444,10 @@
         <translation>{} : triangles inversés par rapport à la surface : {} ; le pire penche de {} degrés</translation>
     </message>
     <message>
+        <source>{}: {} and {} exclude each other</source>
+        <translation>{} : {} et {} s'excluent</translation>
+    </message>
+    <message>
         <source>{}: {} elements are turned over against the surface</source>
         <translation>{} : {} éléments sont inversés par rapport à la surface</translation>
     </message>
@@ -2362,6 +2482,10 @@
     <message>
         <source>{}: {} must bound its patch: {}</source>
         <translation>{} : {} doit border sa partie : {}</translation>
+    </message>
+    <message>
+        <source>{}: {} must not be zero</source>
+        <translation>{} : {} ne doit pas être nul</translation>
     </message>
     <message>
         <source>{}: {} needs an edge with two ends, {} is closed</source>
@@ -2423,6 +2547,14 @@
         <translation>Deux bouts</translation>
     </message>
     <message>
+        <source>Cells Across</source>
+        <translation>Éléments en travers</translation>
+    </message>
+    <message>
+        <source>Chord Deviation</source>
+        <translation>Écart de corde</translation>
+    </message>
+    <message>
         <source>Cluster</source>
         <translation>Resserrement</translation>
     </message>
@@ -2463,6 +2595,10 @@
         <translation>Hauteur sans dimension de la première couche ; son milieu est à la moitié.</translation>
     </message>
     <message>
+        <source>Distribution</source>
+        <translation>Répartition</translation>
+    </message>
+    <message>
         <source>Dynamic viscosity of another fluid [Pa s].</source>
         <translation>Viscosité dynamique d'un autre fluide [Pa s].</translation>
     </message>
@@ -2495,6 +2631,10 @@
         <translation>Longueur des arêtes du maillage. 0 : non précisé.</translation>
     </message>
     <message>
+        <source>Edges and faces that a motion brings onto others: these are cut and meshed as copies of those; as a property, texts: Face1 move x y z, or Edge1 Edge2 turn x y z x y z angle, with a point on the axis and its direction.</source>
+        <translation>Arêtes et faces qu'un mouvement amène sur d'autres : celles-ci sont découpées et maillées comme des copies de celles-là ; comme propriété, des textes : Face1 move x y z, ou Edge1 Edge2 turn x y z x y z angle, avec un point de l'axe et sa direction.</translation>
+    </message>
+    <message>
         <source>Element Layers</source>
         <translation>Couches des éléments</translation>
     </message>
@@ -2519,12 +2659,20 @@
         <translation>Les faces dont les arêtes sont à cette distance au plus l’une de l’autre y sont jointes avant le maillage ; 0 n’en joint aucune. Faces et arêtes gardent leurs noms.</translation>
     </message>
     <message>
+        <source>Faces with four sides that are filled with rows and columns of quads from side to side, with the layers of walls along them; facing sides get as many mesh edges.</source>
+        <translation>Faces à quatre côtés remplies de rangées et de colonnes de quadrangles d'un côté à l'autre, avec les couches des parois le long d'eux ; les côtés opposés reçoivent autant d'arêtes du maillage.</translation>
+    </message>
+    <message>
         <source>Feature Angle</source>
         <translation>Angle d'arête vive</translation>
     </message>
     <message>
         <source>First Height</source>
         <translation>Première hauteur</translation>
+    </message>
+    <message>
+        <source>First Segment</source>
+        <translation>Premier segment</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -2583,6 +2731,10 @@
         <translation>Écart de la hauteur de chaque élément d'une couche à celle demandée, rapporté à celle-ci ; NaN pour le cœur.</translation>
     </message>
     <message>
+        <source>How mesh edges grow between first and last segment: smoothly towards both, in geometric steps, or not at all beyond one step.</source>
+        <translation>Comment croissent les arêtes du maillage entre le premier et le dernier segment : en douceur vers les deux, par pas géométriques, ou pas du tout après un pas.</translation>
+    </message>
+    <message>
         <source>Initial Mesh</source>
         <translation>Maillage initial</translation>
     </message>
@@ -2603,8 +2755,20 @@
         <translation>Au lieu de la première hauteur : la longueur des arêtes du maillage le long de la paroi divisée par la première hauteur, partout. 0 : non précisé.</translation>
     </message>
     <message>
+        <source>Instead of thickness: the height of all layers together over the size along the edge.</source>
+        <translation>Au lieu de thickness : la hauteur de toutes les couches ensemble, divisée par la taille le long de l'arête.</translation>
+    </message>
+    <message>
+        <source>Instead of thickness: the height of all layers together over the size along the edge. 0: not given.</source>
+        <translation>Au lieu de thickness : la hauteur de toutes les couches ensemble, divisée par la taille le long de l'arête. 0 : non précisé.</translation>
+    </message>
+    <message>
         <source>Inverted Count</source>
         <translation>Éléments inversés</translation>
+    </message>
+    <message>
+        <source>Last Segment</source>
+        <translation>Dernier segment</translation>
     </message>
     <message>
         <source>Layer Groups</source>
@@ -2619,8 +2783,28 @@
         <translation>Les couches croissent depuis chaque arête de bord, tant qu'aucune paroi du maillage ne dit autre chose.</translation>
     </message>
     <message>
+        <source>Length of the first mesh edge at the first vertex of each CAD edge.</source>
+        <translation>Longueur de la première arête du maillage au premier sommet de chaque arête CAO.</translation>
+    </message>
+    <message>
+        <source>Length of the first mesh edge at the first vertex of each CAD edge. 0: not given.</source>
+        <translation>Longueur de la première arête du maillage au premier sommet de chaque arête CAO. 0 : non précisé.</translation>
+    </message>
+    <message>
+        <source>Length of the last mesh edge at the last vertex of each CAD edge.</source>
+        <translation>Longueur de la dernière arête du maillage au dernier sommet de chaque arête CAO.</translation>
+    </message>
+    <message>
+        <source>Length of the last mesh edge at the last vertex of each CAD edge. 0: not given.</source>
+        <translation>Longueur de la dernière arête du maillage au dernier sommet de chaque arête CAO. 0 : non précisé.</translation>
+    </message>
+    <message>
         <source>Makes a group of the elements of each layer, too: Layer1, Layer2, … and Core.</source>
         <translation>Fait aussi un groupe des éléments de chaque couche : Layer1, Layer2, … et Core.</translation>
+    </message>
+    <message>
+        <source>Mapped</source>
+        <translation>Réglées</translation>
     </message>
     <message>
         <source>Max Angle</source>
@@ -2675,6 +2859,10 @@
         <translation>Angle minimal</translation>
     </message>
     <message>
+        <source>Min Size</source>
+        <translation>Taille minimale</translation>
+    </message>
+    <message>
         <source>Node Count</source>
         <translation>Nombre de nœuds</translation>
     </message>
@@ -2715,6 +2903,10 @@
         <translation>Ordre</translation>
     </message>
     <message>
+        <source>Others</source>
+        <translation>Autres</translation>
+    </message>
+    <message>
         <source>Part</source>
         <translation>Pièce</translation>
     </message>
@@ -2723,16 +2915,20 @@
         <translation>Le long d'une plaque, ou établi dans une conduite.</translation>
     </message>
     <message>
+        <source>Periodic</source>
+        <translation>Périodiques</translation>
+    </message>
+    <message>
         <source>Picked</source>
         <translation>Choisi</translation>
     </message>
     <message>
-        <source>Points about which the mesh is finer; as a property, texts of five numbers: x y z size radius.</source>
-        <translation>Points autour desquels le maillage est plus fin ; comme propriété, des textes de cinq nombres : x y z taille rayon.</translation>
-    </message>
-    <message>
         <source>Points of the shape that was meshed.</source>
         <translation>Points de la forme maillée.</translation>
+    </message>
+    <message>
+        <source>Points, lines and boxes about which the mesh is finer; as a property, texts: x y z size radius, or line x y z x y z size radius, or box x y z x y z size radius.</source>
+        <translation>Points, segments et boîtes autour desquels le maillage est plus fin ; comme propriété, des textes : x y z taille rayon, ou line x y z x y z taille rayon, ou box x y z x y z taille rayon.</translation>
     </message>
     <message>
         <source>Quad Count</source>
@@ -2769,6 +2965,10 @@
     <message>
         <source>Refinements</source>
         <translation>Raffinements</translation>
+    </message>
+    <message>
+        <source>Relative Chord</source>
+        <translation>Corde relative</translation>
     </message>
     <message>
         <source>Run</source>
@@ -2855,6 +3055,14 @@
         <translation>La couche dans laquelle chaque nœud a été extrudé ; sinon 0.</translation>
     </message>
     <message>
+        <source>The least edge length that curvature and chords may ask for; 0: any. Sizes of edges, faces and regions are not held to it.</source>
+        <translation>La plus petite longueur d'arête que la courbure et les cordes peuvent demander ; 0 : toute. Les tailles des arêtes, des faces et des régions n'y sont pas tenues.</translation>
+    </message>
+    <message>
+        <source>The least number of elements over the extent of each face, however small it is beside the whole, down to a tenth of size; a small outline inside a plane face, such as an airfoil in its domain, gets twelve times as many around it, fewer where there are several. First heights of a tenth of size or more are held to a tenth of the mesh edges along their wall. 0: none. Default: 10 where neither size nor first_height is given.</source>
+        <translation>Le plus petit nombre d'éléments sur l'étendue de chaque face, si petite soit-elle à côté du tout, jusqu'à un dixième de la taille ; un petit contour dans une face plane, comme un profil dans son domaine, en reçoit douze fois autant autour de lui, moins s'il y en a plusieurs. Les premières hauteurs d'un dixième de la taille ou plus sont ramenées à un dixième des arêtes du maillage le long de leur paroi. 0 : aucun. Par défaut : 10 si ni size ni first_height n'est donné.</translation>
+    </message>
+    <message>
         <source>The local sizes of the mesh.</source>
         <translation>Les tailles locales du maillage.</translation>
     </message>
@@ -2865,6 +3073,10 @@
     <message>
         <source>The most that one element edge may turn along a curved edge or face; finer than size where the shape is curved.</source>
         <translation>De combien au plus une arête d'élément peut tourner le long d'une arête ou d'une face courbe ; plus fin que la taille où la forme est courbe.</translation>
+    </message>
+    <message>
+        <source>The most that the middle of a mesh edge may lie off the curve or surface that it stands for; 0: any.</source>
+        <translation>Écart maximal du milieu d'une arête du maillage à la courbe ou à la surface qu'elle représente ; 0 : quelconque.</translation>
     </message>
     <message>
         <source>The named groups of the mesh.</source>
@@ -2885,6 +3097,10 @@
     <message>
         <source>The report of the mesh, as a job writes it.</source>
         <translation>Le rapport du maillage, tel que l'écrit une tâche par lots.</translation>
+    </message>
+    <message>
+        <source>The same over the length of the mesh edge; 0: any.</source>
+        <translation>Le même, divisé par la longueur de l'arête du maillage ; 0 : quelconque.</translation>
     </message>
     <message>
         <source>The settings that the mesh was made with.</source>
@@ -2909,6 +3125,10 @@
     <message>
         <source>Thickness</source>
         <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Thickness Share</source>
+        <translation>Part d'épaisseur</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -2941,6 +3161,10 @@
     <message>
         <source>Wall: layers grow from the edges. Match: layers of other walls run along them. Off: neither. Boundary: they bound their faces, however smoothly these meet. Smooth: layers run across them.</source>
         <translation>Paroi (Wall) : des couches croissent des arêtes. Suivre (Match) : les couches d’autres parois les longent. Sans (Off) : ni l’un ni l’autre. Bord (Boundary) : elles bordent leurs faces, si lisse que soit leur raccord. Lisse (Smooth) : les couches les traversent.</translation>
+    </message>
+    <message>
+        <source>What becomes of boundary edges that a list of walls leaves out: those that meet a wall are match edges, or all are off, or all are walls of the mesh's own values.</source>
+        <translation>Ce que deviennent les arêtes de bord qu'une liste de parois laisse de côté : celles qui touchent une paroi sont des arêtes de raccord (match), ou toutes sont sans effet (off), ou toutes sont des parois aux valeurs du maillage (wall).</translation>
     </message>
     <message>
         <source>What fills the part that no layer reaches: quads where they come out well, or triangles.</source>

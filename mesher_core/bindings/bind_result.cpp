@@ -230,6 +230,10 @@ void bind_result(py::module_& module) {
                              "(n,) int32, the node it was extruded from; -1: none")
       .def_property_readonly("node_layer", &ints<&MeshResult::node_layer>,
                              "(n,) int32, the layer it was extruded in; 0: boundary or core")
+      .def_property_readonly(
+          "periodic_nodes", [](const py::object& self) { return mesh_of(self).periodic_nodes; },
+          "By entry of the settings' periodic: pairs (node, the one that its motion brings it "
+          "onto)")
       .def_property_readonly("edge_segments", &of_edges<&MeshResult::edge_segments>,
                              "CAD edge number (from 1) -> (k, 2) int32, mesh edges in order")
       .def_property_readonly("mid_nodes", &points<&MeshResult::mid_nodes>,

@@ -37,16 +37,6 @@ py::object layers_of(const Settings& settings) {
   return py::int_(settings.layers);
 }
 
-void set_core(const py::handle& value, Settings& settings) {
-  const auto name = py::isinstance<py::str>(value) ? value.cast<std::string>() : "";
-  for (const CoreElements core : kCoreElements) {
-    if (name != core_name(core)) continue;
-    settings.core = core;
-    return;
-  }
-  throw InvalidInput("core must be \"quads\" or \"triangles\", got " + shown(value));
-}
-
 bool is_all(const py::handle& value) {
   return py::isinstance<py::str>(value) && value.cast<std::string>() == "all";
 }
@@ -63,14 +53,14 @@ void set(const Row<Settings>& row, const py::handle& value, Settings& settings) 
       return set_faces(value, settings);
     case Kind::kLayers:
       return set_layers(value, settings);
-    case Kind::kCore:
-      return set_core(value, settings);
     case Kind::kWalls:
       return set_walls(value, settings);
     case Kind::kSizes:
       return set_sizes(value, settings);
     case Kind::kRefinements:
       return set_refinements(value, settings);
+    case Kind::kPeriodic:
+      return set_periodic(value, settings);
     case Kind::kInitialMesh:
       return set_initial_mesh(value, settings);
     default:
@@ -99,8 +89,6 @@ py::object value_of(const Row<Settings>& row, const Settings& settings) {
   switch (row.kind) {
     case Kind::kLayers:
       return layers_of(settings);
-    case Kind::kCore:
-      return py::str(core_name(settings.core));
     case Kind::kAllFaces:
       if (settings.faces.empty()) return py::str("all");
       break;
@@ -108,6 +96,7 @@ py::object value_of(const Row<Settings>& row, const Settings& settings) {
       return settings.walls_all ? py::object(py::str("all")) : py::object(py::none());
     case Kind::kSizes:
     case Kind::kRefinements:
+    case Kind::kPeriodic:
       return py::tuple();
     default:
       break;
@@ -144,9 +133,7 @@ py::list told(const std::vector<Row<Owner>>& rows) {
     entry["above"] = row.range.above;
     entry["below"] = row.range.below;
     py::list choices;
-    if (row.kind == Kind::kCore) {
-      for (const CoreElements core : kCoreElements) choices.append(core_name(core));
-    }
+    for (const char* choice : row.names()) choices.append(choice);
     entry["choices"] = py::tuple(choices);
     entry["required"] = row.required;
     entry["default"] = row.required ? py::object(py::none()) : value_of(row, defaults);
@@ -162,6 +149,7 @@ py::dict schema() {
   tables["walls"] = told(wall_rows());
   tables["sizes"] = told(size_rows());
   tables["refinements"] = told(refinement_rows());
+  tables["periodic"] = told(periodic_rows());
   return tables;
 }
 
@@ -197,7 +185,7 @@ void bind_settings(py::module_& module) {
   kind.def(py::init(&settings_of)).def("__repr__", &describe);
   for (const Row<Settings>& row : mesh_rows()) {
     if (row.kind == Kind::kInitialMesh || row.kind == Kind::kSizes ||
-        row.kind == Kind::kRefinements || row.kind == Kind::kWalls) {
+        row.kind == Kind::kRefinements || row.kind == Kind::kPeriodic || row.kind == Kind::kWalls) {
       continue;
     }
     kind.def_property_readonly(
@@ -205,7 +193,7 @@ void bind_settings(py::module_& module) {
   }
   module.def("schema", &schema,
              "The rows of all settings: key, kind, unit, range, choices, default and doc, by table "
-             "(mesh, walls, sizes, refinements).");
+             "(mesh, walls, sizes, refinements, periodic).");
   module.def("resolve_wall", &resolve_wall, py::arg("settings"), py::arg("wall") = py::dict(),
              "What a wall of these settings comes to: first_height and end_height [mm], growth,\n"
              "layers as asked, expected_layers (0: open) and the thickness [mm] of those; None "

@@ -55,6 +55,10 @@ void set_refinements(const py::handle& value, Settings& settings) {
   settings.refinements = entries_of(value, "refinements", "a list", refinement_rows());
 }
 
+void set_periodic(const py::handle& value, Settings& settings) {
+  settings.periodic = entries_of(value, "periodic", "a list", periodic_rows());
+}
+
 WallSpec wall_of(const py::handle& value) { return entry_of(value, "walls", wall_rows()); }
 
 }  // namespace advlayers::python

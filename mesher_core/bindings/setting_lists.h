@@ -11,6 +11,7 @@ namespace advlayers::python {
 void set_walls(const pybind11::handle& value, Settings& settings);
 void set_sizes(const pybind11::handle& value, Settings& settings);
 void set_refinements(const pybind11::handle& value, Settings& settings);
+void set_periodic(const pybind11::handle& value, Settings& settings);
 
 // One wall of such a list, which may leave its edges out here.
 WallSpec wall_of(const pybind11::handle& value);

@@ -31,6 +31,9 @@ inline void read(const pybind11::handle& v, const std::string& name, bool& out) 
 inline void read(const pybind11::handle& v, const std::string& name, Vec3& out) {
   out = point(v, name);
 }
+inline void read(const pybind11::handle& v, const std::string& name, std::optional<Vec3>& out) {
+  out = point(v, name);
+}
 inline void read(const pybind11::handle& v, const std::string& name, std::vector<EdgeId>& out) {
   out = names<EdgeId>(v, name, "Edge");
 }
@@ -41,12 +44,12 @@ inline void read(const pybind11::handle& v, const std::string& name, std::vector
 inline pybind11::object shown_value(double value) { return pybind11::float_(value); }
 inline pybind11::object shown_value(int value) { return pybind11::int_(value); }
 inline pybind11::object shown_value(bool value) { return pybind11::bool_(value); }
+inline pybind11::object shown_value(const Vec3& p) {
+  return pybind11::make_tuple(p.x(), p.y(), p.z());
+}
 template <class Value>
 pybind11::object shown_value(const std::optional<Value>& value) {
   return value ? shown_value(*value) : pybind11::none();
-}
-inline pybind11::object shown_value(const Vec3& p) {
-  return pybind11::make_tuple(p.x(), p.y(), p.z());
 }
 inline std::string name_of(EdgeId edge) { return edge_name(edge); }
 inline std::string name_of(FaceId face) { return face_name(face); }
@@ -65,6 +68,9 @@ void set_member(const Row<Owner>& row, const pybind11::handle& value, const std:
       [&](auto place) {
         if constexpr (std::is_same_v<decltype(place), std::monostate>) {
           throw InternalError(name + " has no member");
+        } else if constexpr (std::is_enum_v<std::decay_t<decltype(owner.*place)>>) {
+          owner.*place =
+              static_cast<std::decay_t<decltype(owner.*place)>>(choice(value, name, row.names()));
         } else {
           read(value, name, owner.*place);
         }
@@ -76,9 +82,11 @@ void set_member(const Row<Owner>& row, const pybind11::handle& value, const std:
 template <class Owner>
 pybind11::object member_of(const Row<Owner>& row, const Owner& owner) {
   return std::visit(
-      [&owner](auto place) -> pybind11::object {
+      [&owner, &row](auto place) -> pybind11::object {
         if constexpr (std::is_same_v<decltype(place), std::monostate>) {
           return pybind11::none();
+        } else if constexpr (std::is_enum_v<std::decay_t<decltype(owner.*place)>>) {
+          return pybind11::str(row.choices[static_cast<std::size_t>(owner.*place)]);
         } else {
           return shown_value(owner.*place);
         }

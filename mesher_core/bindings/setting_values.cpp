@@ -50,6 +50,17 @@ bool flag(const py::handle& value, const std::string& setting) {
   throw InvalidInput(setting + " must be true or false, got " + shown(value));
 }
 
+std::size_t choice(const py::handle& value, const std::string& setting,
+                   const std::vector<const char*>& choices) {
+  const auto name = py::isinstance<py::str>(value) ? value.cast<std::string>() : "";
+  std::string allowed;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (name == choices[i]) return i;
+    allowed += (i > 0 ? " or \"" : "\"") + std::string(choices[i]) + "\"";
+  }
+  throw InvalidInput(setting + " must be " + allowed + ", got " + shown(value));
+}
+
 Vec3 point(const py::handle& value, const std::string& setting) {
   const bool listed = py::isinstance<py::sequence>(value) && !py::isinstance<py::str>(value);
   if (!listed || py::len(value) != 3) {

@@ -19,6 +19,9 @@ std::int32_t number_in_name(const pybind11::handle& value, const std::string& se
 double number(const pybind11::handle& value, const std::string& setting);
 int count(const pybind11::handle& value, const std::string& setting);
 bool flag(const pybind11::handle& value, const std::string& setting);
+// The place among the choices of the one that is named.
+std::size_t choice(const pybind11::handle& value, const std::string& setting,
+                   const std::vector<const char*>& choices);
 Vec3 point(const pybind11::handle& value, const std::string& setting);
 
 template <class EntityId>

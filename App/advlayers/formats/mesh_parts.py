@@ -97,6 +97,8 @@ class MeshParts:
     layer_groups: bool = False  # each layer of the surface is to be a group, too
     node_layer: Optional[Any] = None  # (n,) the layer that a node was extruded in; 0: none
     node_parent: Optional[Any] = None  # (n,) the node that it was extruded from; -1: none
+    # (k, 2) each: nodes, and those that one periodic motion brings them onto.
+    periodic: Tuple[Any, ...] = ()
     _elements_by_part: Dict[int, Dict[int, Any]] = field(
         default_factory=dict, init=False, repr=False, compare=False)
 
@@ -224,6 +226,23 @@ class MeshParts:
         return found
 
 
+def periodic_parts(parts: MeshParts, dimension: int) -> List[Tuple[int, int, Any]]:
+    """(part, the one that it is a copy of, (k, 2) their nodes) of that dimension."""
+    found = []
+    nodes = {number: frozenset(own.tolist())
+             for number, own in parts.nodes_by_part(dimension).items()}
+    for pairs in parts.periodic:
+        image = dict(np.asarray(pairs).tolist())
+        of_nodes = {own: number for number, own in nodes.items()}
+        for number, own in nodes.items():
+            if own <= image.keys():
+                copy = of_nodes.get(frozenset(image[node] for node in own))
+                if copy is not None:
+                    found.append((copy, number, np.array([(image[node], node)
+                                                          for node in sorted(own)])))
+    return found
+
+
 def of_mesh(mesh, named: Mapping[str, Sequence[str]], layer_groups: bool = False) -> MeshParts:
     """Of a mesh of the core or of a document object, of second order where it has mid nodes;
     `named`: the groups, FaceN and EdgeN in each. A group of both becomes two of that name."""
@@ -234,7 +253,9 @@ def of_mesh(mesh, named: Mapping[str, Sequence[str]], layer_groups: bool = False
     ]
     parts = MeshParts(
         mesh.nodes, tuple(block for block in blocks if len(block)), tuple(_groups(named)),
-        layer_groups=layer_groups, node_layer=mesh.node_layer, node_parent=mesh.node_parent)
+        layer_groups=layer_groups, node_layer=mesh.node_layer, node_parent=mesh.node_parent,
+        periodic=tuple(np.array(pairs) for pairs in getattr(mesh, "periodic_nodes", ())
+                       if len(pairs)))
     return _with_mid_nodes(parts, mesh) if len(mesh.mid_nodes) else parts
 
 

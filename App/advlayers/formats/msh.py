@@ -11,7 +11,7 @@ from typing import Dict, List, Tuple
 
 import numpy as np
 
-from advlayers.formats.mesh_parts import MeshParts
+from advlayers.formats.mesh_parts import MeshParts, periodic_parts
 from advlayers.formats.text_file import TextFile
 
 # By kind Gmsh's number and order of the nodes.
@@ -38,6 +38,8 @@ def write(path: str, parts: MeshParts, version: str = VERSIONS[0]) -> None:
             _write_entities(file, parts, tags)
             _write_nodes_4(file, parts)
             _write_elements_4(file, parts)
+        if not parts.second_order:
+            _write_periodic(file, parts, affine=version != "2.2")
 
 
 Tags = Dict[Tuple[int, int], List[int]]  # (dimension, part) -> its physical groups, first its own
@@ -114,6 +116,18 @@ def _write_elements_4(file: TextFile, parts: MeshParts) -> None:
             file.text(f"{dimension} {run.part} {kind} {len(run.cells)}\n")
             file.rows("%d" + " %d" * len(order) + "\n", run.elements, run.cells[:, order] + 1)
     file.text("$EndElements\n")
+
+
+def _write_periodic(file: TextFile, parts: MeshParts, affine: bool) -> None:
+    links = [(dimension, *link) for dimension in (1, 2)
+             for link in periodic_parts(parts, dimension)]
+    if not links:
+        return
+    file.text(f"$Periodic\n{len(links)}\n")
+    for dimension, part, master, nodes in links:
+        file.text(f"{dimension} {part} {master}\n" + "0\n" * affine + f"{len(nodes)}\n")
+        file.rows("%d %d\n", nodes + 1)
+    file.text("$EndPeriodic\n")
 
 
 def _write_nodes_2(file: TextFile, parts: MeshParts) -> None:

@@ -149,6 +149,10 @@ class Settings:
         initial_mesh: Optional[Tuple[NDArray[np.float64], NDArray[np.int32]]] = ...,
         size: float,
         curvature_angle: float = ...,
+        min_size: float = ...,
+        chord_deviation: float = ...,
+        relative_chord: float = ...,
+        cells_across: int = ...,
         size_growth: float = ...,
         sizes: Iterable[Mapping[str, Any]] = ...,
         refinements: Iterable[Mapping[str, Any]] = ...,
@@ -156,12 +160,15 @@ class Settings:
         growth: float = ...,
         layers: Union[int, Literal["isotropic"]] = ...,
         walls: Union[Literal["all"], Iterable[Mapping[str, Any]]] = ...,
+        others: str = ...,
         match: Iterable[str] = ...,
         off: Iterable[str] = ...,
         boundary: Iterable[str] = ...,
         smooth: Iterable[str] = ...,
         core: str = ...,
         order: int = ...,
+        mapped: Iterable[str] = ...,
+        periodic: Iterable[Mapping[str, Any]] = ...,
         threads: int = ...,
     ) -> None: ...
     @property
@@ -173,6 +180,14 @@ class Settings:
     @property
     def curvature_angle(self) -> float: ...
     @property
+    def min_size(self) -> float: ...
+    @property
+    def chord_deviation(self) -> float: ...
+    @property
+    def relative_chord(self) -> float: ...
+    @property
+    def cells_across(self) -> int: ...
+    @property
     def size_growth(self) -> float: ...
     @property
     def first_height(self) -> float: ...
@@ -180,6 +195,8 @@ class Settings:
     def growth(self) -> float: ...
     @property
     def layers(self) -> Union[int, str]: ...
+    @property
+    def others(self) -> str: ...
     @property
     def match(self) -> Tuple[str, ...]: ...
     @property
@@ -192,6 +209,8 @@ class Settings:
     def core(self) -> str: ...
     @property
     def order(self) -> int: ...
+    @property
+    def mapped(self) -> Tuple[str, ...]: ...
     @property
     def threads(self) -> int: ...
 
@@ -266,6 +285,10 @@ class Mesh:
     @property
     def node_layer(self) -> NDArray[np.int32]:
         """(n,), the layer it was extruded in; 0: boundary or core"""
+    @property
+    def periodic_nodes(self) -> List[List[List[int]]]:
+        """By entry of the settings' periodic: pairs (node, the one that its motion brings it onto)
+        """
     @property
     def edge_segments(self) -> Dict[int, NDArray[np.int32]]:
         """CAD edge number (from 1) -> (k, 2), its mesh edges in order"""

@@ -12,6 +12,8 @@
 #include "boundary/facing_stretches.h"
 #include "boundary/joined_edges.h"
 #include "boundary/layers_along.h"
+#include "boundary/mapped_sides.h"
+#include "boundary/periodic_cuts.h"
 #include "boundary/stretch.h"
 
 namespace advlayers {
@@ -33,6 +35,17 @@ constexpr int kMinLoop = 3;  // segments
 // Edges that go together for less than this part of the size stay two.
 constexpr double kLeastJoined = 0.05;
 
+// A chord over the length of a segment is an eighth of the angle that it turns by.
+double turn_of_segment(const Settings& settings) {
+  const double angle = settings.curvature_angle * M_PI / 180.0;
+  return settings.relative_chord > 0.0 ? std::min(angle, 8.0 * settings.relative_chord) : angle;
+}
+
+// Whether the user cuts the edge, and nothing else does.
+bool is_cut_by(const SizeSpec& spec) {
+  return spec.segments || spec.cluster || spec.first_segment || spec.last_segment;
+}
+
 class Discretizer {
  public:
   Discretizer(const RunContext& context, Evaluator& evaluator, const Settings& settings,
@@ -41,7 +54,13 @@ class Discretizer {
         evaluator_(evaluator),
         model_(evaluator.model()),
         sizes_(settings),
-        limits_{0.0, &sizes_, settings.curvature_angle * M_PI / 180.0, 0.0, true},
+        limits_{0.0,
+                &sizes_,
+                turn_of_segment(settings),
+                0.0,
+                settings.chord_deviation,
+                settings.min_size,
+                true},
         most_jump_(settings.size_growth),
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
@@ -50,7 +69,8 @@ class Discretizer {
     make_stretches();
   }
 
-  Discretization run(const std::vector<MatchEnd>& match_ends) {
+  Discretization run(const std::vector<MatchEnd>& match_ends, const std::vector<FourSides>& mapped,
+                     const std::vector<EdgePair>& periodic) {
     for (Stretch& stretch : stretches_.all) {
       context_.check();
       stretch.spacing.require(stretch.required);
@@ -60,7 +80,11 @@ class Discretizer {
     while (part_coincident() || lengthen_loops()) grade();
     face_strips();
     notes_ = run_layers_along(context_, evaluator_, match_ends, stretches_);
-    return collect();
+    even_out_sides(context_, mapped, stretches_);
+    cut_alike(context_, periodic, stretches_);
+    Discretization cut = collect();
+    place_alike(evaluator_, periodic, cut);
+    return cut;
   }
 
  private:
@@ -85,8 +109,7 @@ class Discretizer {
     for (const MatchEnd& match : match_ends) along_layers.insert(match.edge);
     const auto is_given = [&](const CoEdge& coedge) {
       const SizeSpec* spec = sizes_.edge_spec(coedge.edge);
-      return (spec != nullptr && (spec->segments || spec->cluster)) ||
-             along_layers.count(coedge.edge) > 0;
+      return (spec != nullptr && is_cut_by(*spec)) || along_layers.count(coedge.edge) > 0;
     };
     for (const FourSides& strip : strips) {
       if (std::none_of(strip.sides.begin(), strip.sides.end(), [&](const auto& side) {
@@ -188,7 +211,8 @@ class Discretizer {
   // A number of segments of the whole edge is shared out by the lengths of its stretches.
   void fix_segments(EdgeId edge) {
     const SizeSpec* spec = sizes_.edge_spec(edge);
-    if (spec == nullptr || (!spec->segments && !spec->cluster)) return;
+    if (spec == nullptr || !is_cut_by(*spec)) return;
+    if (spec->first_segment || spec->last_segment) return fix_ends(edge, *spec);
     double length = 0.0;
     for (const std::size_t i : stretches_.of(edge)) length += stretches_[i].spacing.length();
     for (const std::size_t i : stretches_.of(edge)) {
@@ -199,6 +223,25 @@ class Discretizer {
               ? static_cast<int>(std::lround(*spec->segments * spacing.length() / length))
               : spacing.segments_for(ratio, spec->both_ends);
       spacing.fix(std::max(1, segments), ratio, spec->both_ends);
+    }
+  }
+
+  // The first stretch has the segment at the edge's first vertex, the last one that at its last.
+  void fix_ends(EdgeId edge, const SizeSpec& spec) {
+    double length = 0.0;
+    for (const std::size_t i : stretches_.of(edge)) length += stretches_[i].spacing.length();
+    const auto& stretches = stretches_.of(edge);
+    for (const std::size_t i : stretches) {
+      EdgeSpacing& spacing = stretches_[i].spacing;
+      EndSegments ends;
+      if (i == stretches.front()) ends.first = spec.first_segment;
+      if (i == stretches.back()) ends.last = spec.last_segment;
+      ends.distribution = spec.distribution;
+      if (spec.segments) {
+        const double share = *spec.segments * spacing.length() / length;
+        ends.segments = std::max(1, static_cast<int>(std::lround(share)));
+      }
+      spacing.fix_ends(ends);
     }
   }
 
@@ -411,8 +454,11 @@ class Discretizer {
 
 Discretization discretize(const RunContext& context, Evaluator& evaluator, const Settings& settings,
                           const std::vector<MatchEnd>& match_ends,
-                          const std::vector<FourSides>& strips) {
-  return Discretizer(context, evaluator, settings, match_ends, strips).run(match_ends);
+                          const std::vector<FourSides>& strips,
+                          const std::vector<FourSides>& mapped,
+                          const std::vector<EdgePair>& periodic) {
+  return Discretizer(context, evaluator, settings, match_ends, strips)
+      .run(match_ends, mapped, periodic);
 }
 
 bool same_cuts(const Discretization& a, const Discretization& b) {

@@ -7,6 +7,7 @@
 #include "base/run_context.h"
 #include "base/types.h"
 #include "boundary/match_end.h"
+#include "boundary/periodic_pairs.h"
 #include "geometry/evaluator.h"
 #include "geometry/four_sides.h"
 #include "sizing/settings.h"
@@ -35,10 +36,13 @@ struct Discretization {
 // at least three segments; every edge at least one. Edges of no meshed face are left empty. Layers
 // that run along an edge take its ends: their nodes come first, and what lies between blends in.
 // Facing sides of `strips` get as many segments, facing each other, except on edges whose cuts are
-// given otherwise, by the user or by layers. Throws Cancelled.
+// given otherwise, by the user or by layers; those of `mapped` as many, whatever they are. The
+// nodes of `periodic` edges are copies of each other. Throws Cancelled.
 Discretization discretize(const RunContext& context, Evaluator& evaluator, const Settings& settings,
                           const std::vector<MatchEnd>& match_ends = {},
-                          const std::vector<FourSides>& strips = {});
+                          const std::vector<FourSides>& strips = {},
+                          const std::vector<FourSides>& mapped = {},
+                          const std::vector<EdgePair>& periodic = {});
 
 // Whether every edge has the same nodes in the same places.
 bool same_cuts(const Discretization& a, const Discretization& b);

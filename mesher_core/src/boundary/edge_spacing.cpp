@@ -91,12 +91,18 @@ EdgeSpacing::Chord EdgeSpacing::chord_about(const Station& at) const {
                  evaluator_->edge_length(edge_, t_begin_, to))};
 }
 
+// By its angle, and by how far its middle lies off the curve: l^2 / 8r for a chord l on a radius r.
+double EdgeSpacing::spacing_of_turn(double ds, double turn) const {
+  if (!(turn > 0.0)) return std::numeric_limits<double>::infinity();
+  const double by_angle = ds * limits_.curve_angle / turn;
+  return limits_.chord > 0.0 ? std::min(by_angle, std::sqrt(8.0 * limits_.chord * ds / turn))
+                             : by_angle;
+}
+
 double EdgeSpacing::bend_spacing(const Station& a, const Station& b) const {
   const Chord from = chord_about(a), to = chord_about(b);
   const double turn = angle_between(from.along, to.along);
-  const double spacing = turn > 0.0 ? (to.middle - from.middle) * limits_.curve_angle / turn
-                                    : std::numeric_limits<double>::infinity();
-  return std::max(least_by_curve_, spacing);
+  return std::max(least_by_curve_, spacing_of_turn(to.middle - from.middle, turn));
 }
 
 // The spacing at which a segment between the two would turn as much as it may.
@@ -110,7 +116,7 @@ double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
   const Vec3& from = a.tangent.norm() > least ? a.tangent : chord;
   const Vec3& to = b.tangent.norm() > least ? b.tangent : chord;
   const double turn = angle_between(from, to);
-  if (turn > 0.0) spacing = ds * limits_.curve_angle / turn;
+  spacing = spacing_of_turn(ds, turn);
   if (spacing < bend_ || ds < kTooShort * bend_) spacing = bend_spacing(a, b);
   for (std::size_t i = 0; i < a.normals.size(); ++i) {
     if (a.normals[i].isZero() || b.normals[i].isZero()) continue;
@@ -119,7 +125,7 @@ double EdgeSpacing::turn_spacing(const Station& a, const Station& b) const {
     const double by_normals = ds * limits_.normal_angle / normal_turn;
     spacing = std::min(spacing, std::max(by_normals, least_by_normals_));
   }
-  return spacing;
+  return std::max(spacing, limits_.least);
 }
 
 void EdgeSpacing::refine(const Station& a, const Station& b, int depth) {
@@ -159,6 +165,14 @@ int EdgeSpacing::segments_for(double ratio, bool both_ends) const {
 }
 
 void EdgeSpacing::cut_fixed() {
+  if (ends_) {
+    EndSegments ends = *ends_;
+    cuts_ = cut_with_ends(length(), limits_.size, ends);
+    if (count() >= required_) return;
+    ends.segments = required_;
+    cuts_ = cut_with_ends(length(), limits_.size, ends);
+    return;
+  }
   const int n = std::max(fixed_.segments, required_);
   const int steps = fixed_.both_ends ? (n - 1) / 2 : n - 1;
   const double growth = steps > 0 ? std::pow(fixed_.ratio, 1.0 / steps) : 1.0;
@@ -233,6 +247,21 @@ void EdgeSpacing::cut_at(const std::vector<double>& shares) {
   cuts_.clear();
   for (const double share : shares) cuts_.push_back(share * length());
   cuts_.back() = length();
+}
+
+int EdgeSpacing::free_count() const {
+  return count() - static_cast<int>(layers_.segments[0].size() + layers_.segments[1].size());
+}
+
+double EdgeSpacing::mean_free_segment() const {
+  const std::size_t first = layers_.segments[0].size();
+  const double from = cuts_[first], to = cuts_[cuts_.size() - 1 - layers_.segments[1].size()];
+  return (to - from) / free_count();
+}
+
+void EdgeSpacing::lengthen() {
+  require(free_count() + 1);
+  cut();
 }
 
 double EdgeSpacing::end_segment(int end) const {

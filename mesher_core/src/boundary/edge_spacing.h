@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boundary/divide_length.h"
+#include "boundary/end_segments.h"
 #include "boundary/match_end.h"
 #include "geometry/evaluator.h"
 #include "sizing/size_field.h"
@@ -18,6 +19,8 @@ struct SpacingLimits {
   const SizeField* sizes;  // where they are less, and how fast segments grow
   double curve_angle;      // [rad] a segment of the curve may turn
   double normal_angle;     // [rad] the normals of the faces beside it may turn along a segment
+  double chord;            // [mm] a segment's middle may lie off the curve; 0: anything
+  double least;            // [mm] curvature asks for no less
   bool open = true;        // the stretch does not end where it begins
 };
 
@@ -45,13 +48,19 @@ class EdgeSpacing {
   void fix(int segments, double ratio, bool both_ends);
   // The segments that `ratio` takes with none longer than the size.
   int segments_for(double ratio, bool both_ends) const;
-  bool fixed() const { return fixed_.segments > 0; }
+  // So too, with given lengths at its ends.
+  void fix_ends(const EndSegments& ends) { ends_ = ends; }
+  bool fixed() const { return fixed_.segments > 0 || ends_; }
   // Cuts anew; arc lengths from the begin, both ends included.
   // Throws InvalidInput where the size would cut the edge into millions.
   void cut();
   const std::vector<double>& cuts() const { return cuts_; }
   int count() const { return static_cast<int>(cuts_.size()) - 1; }
   double end_segment(int end) const;
+  // Between the segments that are given at its ends: their mean length, and one more of them.
+  bool can_lengthen() const { return !layers_.closed; }
+  double mean_free_segment() const;
+  void lengthen();
   // What cut() goes by: the spacing wanted along the stretch, and the least number of segments.
   std::vector<SpacingSample> wanted() const { return graded(0.0, length()); }
   int required() const { return required_; }
@@ -75,8 +84,10 @@ class EdgeSpacing {
     double middle;
   };
   Chord chord_about(const Station& at) const;
+  double spacing_of_turn(double ds, double turn) const;
   double bend_spacing(const Station& a, const Station& b) const;
   double turn_spacing(const Station& a, const Station& b) const;
+  int free_count() const;
   std::vector<SpacingSample> graded(double from, double to) const;
   void cut_between(double from, double to);
 
@@ -98,6 +109,7 @@ class EdgeSpacing {
   void cut_fixed();
 
   Fixed fixed_;
+  std::optional<EndSegments> ends_;
   LayeredCuts layers_;
   std::vector<double> cuts_;
 };

@@ -10,6 +10,7 @@
 #include "base/directions.h"
 #include "geometry/evaluator.h"
 #include "mesher/sewn_edges.h"
+#include "sizing/local_sizes.h"
 #include "sizing/size_field.h"
 #include "sizing/wall_spacing.h"
 
@@ -39,7 +40,7 @@ class Estimator {
   Estimator(const RunContext& context, const Model& model, const Settings& settings)
       : context_(context),
         model_(model),
-        settings_(in_edges_of(model, settings)),
+        settings_(with_local_sizes(model, in_edges_of(model, settings))),
         sizes_(settings_),
         evaluator_(model) {
     for (const WallSpec& wall : settings_.walls) {

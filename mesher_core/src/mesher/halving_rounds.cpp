@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boundary/halve_edges.h"
+#include "boundary/periodic_cuts.h"
 
 namespace advlayers {
 namespace {
@@ -19,8 +20,12 @@ using AskedEdges = std::vector<std::vector<EdgeId>>;  // by patch: edges it find
 class HalvingRounds {
  public:
   HalvingRounds(const RunContext& context, const Model& model, JobList& list,
-                Discretization& boundary)
-      : context_(context), evaluator_(model), list_(list), boundary_(boundary) {}
+                const std::vector<EdgePair>& periodic, Discretization& boundary)
+      : context_(context),
+        evaluator_(model),
+        list_(list),
+        periodic_(periodic),
+        boundary_(boundary) {}
 
   void run() {
     for (const auto& job : list_.jobs()) waiting_.push_back(job->meshed() ? 0 : 1);
@@ -61,7 +66,12 @@ class HalvingRounds {
     for (std::size_t i = 0; i < asked.size(); ++i) {
       if (chosen[i]) edges.insert(asked[i].begin(), asked[i].end());
     }
+    for (const EdgePair& pair : periodic_) {
+      if (edges.count(pair.given) + edges.count(pair.found) == 0) continue;
+      edges.insert({pair.given, pair.found});
+    }
     halve_edges(context_, evaluator_, {edges.begin(), edges.end()}, boundary_);
+    place_alike(evaluator_, periodic_, boundary_);
     return edges;
   }
 
@@ -78,6 +88,7 @@ class HalvingRounds {
   const RunContext& context_;
   Evaluator evaluator_;
   JobList& list_;
+  const std::vector<EdgePair>& periodic_;
   Discretization& boundary_;
   std::vector<char> waiting_;       // by patch: to be triangulated in the next round
   std::vector<AskedEdges> rounds_;  // of halving so far
@@ -86,8 +97,8 @@ class HalvingRounds {
 }  // namespace
 
 void triangulate_in_rounds(const RunContext& context, const Model& model, JobList& list,
-                           Discretization& boundary) {
-  HalvingRounds(context, model, list, boundary).run();
+                           const std::vector<EdgePair>& periodic, Discretization& boundary) {
+  HalvingRounds(context, model, list, periodic, boundary).run();
 }
 
 }  // namespace advlayers

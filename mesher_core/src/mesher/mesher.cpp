@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <mutex>
+#include <set>
 
 #include "base/error.h"
 #include "base/free_memory.h"
@@ -13,10 +14,12 @@
 #include "mesher/merge.h"
 #include "mesher/mid_nodes.h"
 #include "mesher/parting.h"
+#include "mesher/periodic_faces.h"
 #include "mesher/run_notes.h"
 #include "mesher/sewn_edges.h"
 #include "mesher/small_parts.h"
 #include "sizing/initial_nodes.h"
+#include "sizing/local_sizes.h"
 
 namespace advlayers {
 namespace {
@@ -28,7 +31,9 @@ constexpr int kMostPartings = 3;
 
 struct Mesher::Impl {
   Impl(RunContext& the_context, const Model& the_model, const Settings& the_settings);
+  void part_own_faces();
   void place_initial_mesh();
+  void copy_periodic_faces();
   void cut_boundary();
   void start();
   void advance_all();
@@ -46,6 +51,7 @@ struct Mesher::Impl {
   Discretization boundary;
   Discretization first_cut;  // the boundary before any edge was halved
   std::deque<LayerReport> pending;
+  PeriodicPairs periodic;
   bool started = false;
   bool growing = true;
   int widest_front = 0;  // vertices, of all patches
@@ -61,9 +67,31 @@ Mesher::Impl::Impl(RunContext& the_context, const Model& the_model, const Settin
       parting(context, model, settings, list) {
   const StageScope stage(context, RunStage::kBoundary);
   check(settings, model);
+  settings = with_local_sizes(model, std::move(settings));
+  periodic = find_periodic(context, model, settings);
+  part_own_faces();
   place_initial_mesh();
   list.make();
   parting.part_tight();
+}
+
+// Mapped and periodic faces are patches of their own; no layers grow from the edges that part them
+// from their smooth neighbours.
+void Mesher::Impl::part_own_faces() {
+  std::set<FaceId> own(settings.mapped_faces.begin(), settings.mapped_faces.end());
+  for (const FacePair& pair : periodic.faces) own.insert({pair.given, pair.found});
+  if (own.empty()) return;
+  std::vector<FaceId> faces = settings.faces;
+  for (std::size_t i = 0; settings.faces.empty() && i < model.faces().size(); ++i) {
+    faces.emplace_back(i);
+  }
+  Evaluator evaluator(model);
+  for (const EdgeId edge : inner_edges(evaluator, faces, feature_rule(settings))) {
+    const std::vector<FaceId>& beside = model.edge(edge).faces;
+    if (beside.size() != 2 || own.count(beside[0]) + own.count(beside[1]) == 0) continue;
+    settings.boundary_edges.push_back(edge);
+    settings.match_edges.push_back(edge);
+  }
 }
 
 void Mesher::Impl::place_initial_mesh() {
@@ -81,13 +109,15 @@ void Mesher::Impl::cut_boundary() {
     if (!job.meshed()) job.plan(context);
   });
   std::vector<MatchEnd> match_ends;
-  std::vector<FourSides> strips;
+  std::vector<FourSides> strips, mapped;
   for (const auto& job : list.jobs()) {
     match_ends.insert(match_ends.end(), job->match_ends().begin(), job->match_ends().end());
     if (job->strip()) strips.push_back(*job->strip());
+    if (job->mapped()) mapped.push_back(*job->mapped());
   }
   Evaluator evaluator(model);
-  Discretization cut = discretize(context, evaluator, settings, match_ends, strips);
+  Discretization cut =
+      discretize(context, evaluator, settings, match_ends, strips, mapped, periodic.edges);
   // Meshed patches fit the boundary as it stands, with the edges that were halved since.
   if (same_cuts(cut, first_cut)) return;
   list.for_each([this](PatchJob& job, std::size_t index) {
@@ -103,10 +133,10 @@ void Mesher::Impl::start() {
     cut_boundary();
   }
   const StageScope stage(context, RunStage::kTriangulate);
-  triangulate_in_rounds(context, model, list, boundary);
+  triangulate_in_rounds(context, model, list, periodic.edges, boundary);
   while (parting.part_failed()) {
     cut_boundary();
-    triangulate_in_rounds(context, model, list, boundary);
+    triangulate_in_rounds(context, model, list, periodic.edges, boundary);
   }
   release_free_memory();
   started = true;
@@ -155,6 +185,20 @@ void Mesher::Impl::finish_jobs() {
   release_free_memory();
 }
 
+void Mesher::Impl::copy_periodic_faces() {
+  const auto job_of = [this](FaceId face) -> PatchJob* {
+    for (const auto& job : list.jobs()) {
+      const std::vector<FaceId>& faces = job->faces();
+      if (std::find(faces.begin(), faces.end(), face) != faces.end()) return job.get();
+    }
+    return nullptr;
+  };
+  for (const FacePair& pair : periodic.faces) {
+    PatchJob *given = job_of(pair.given), *found = job_of(pair.found);
+    if (given != nullptr && found != nullptr) found->copy_moved(*given, pair, boundary);
+  }
+}
+
 // What is not yet meshed then waits for another start.
 bool Mesher::Impl::part_further() {
   const bool failed = parting.part_failed();
@@ -174,6 +218,7 @@ MeshResult Mesher::Impl::finish() {
   }
   const StageScope stage(context, RunStage::kCore);
   part_doubled_edges(context, list.jobs(), boundary);
+  copy_periodic_faces();
   list.for_each([this](PatchJob& job, std::size_t) { job.measure(context); });
   MeshResult result = merge(context, list.jobs(), boundary);
   if (settings.order == 2) {
@@ -197,6 +242,7 @@ MeshResult Mesher::Impl::finish() {
   for (const auto* notes : {&parting.notes(), &of_cutting}) {
     result.diagnostics.insert(result.diagnostics.end(), notes->begin(), notes->end());
   }
+  result.periodic_nodes = periodic_nodes(context, model, settings, result);
   name_given_edges(model, result);
   if (settings.order == 2) find_segment_mids(result);
   result.figures = counts.figures(static_cast<int>(result.nodes.size()));

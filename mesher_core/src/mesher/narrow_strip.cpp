@@ -95,21 +95,22 @@ bool turns_too_much(const StripGrid& grid) {
   return false;
 }
 
-bool is_sound(const RunContext& context, const SurfaceMesh& mesh, PatchSurface& surface) {
+}  // namespace
+
+bool angles_within(const RunContext& context, const SurfaceMesh& mesh, PatchSurface& surface,
+                   double least, double largest) {
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     context.check();
     const ElementCorners element = corners_of(mesh, FaceH(i));
     const auto angles = interior_angles(element);
     for (int k = 0; k < element.count; ++k) {
       const double angle = angles[static_cast<std::size_t>(k)];
-      if (!(angle > kLeastAngle && angle < kLargestAngle)) return false;
+      if (!(angle > least && angle < largest)) return false;
     }
     if (is_steep(mesh, FaceH(i), surface)) return false;
   }
   return true;
 }
-
-}  // namespace
 
 std::optional<FourSides> find_narrow_strip(const RunContext& context, Evaluator& evaluator,
                                            const std::vector<FaceId>& faces, const WallPlan& walls,
@@ -140,7 +141,7 @@ std::optional<SurfaceMesh> mesh_in_rows(const RunContext& context, Evaluator& ev
     return std::nullopt;
   }
   SurfaceMesh mesh = grid->mesh();
-  if (!is_sound(context, mesh, surface)) return std::nullopt;
+  if (!angles_within(context, mesh, surface, kLeastAngle, kLargestAngle)) return std::nullopt;
   return mesh;
 }
 

@@ -28,4 +28,9 @@ std::optional<SurfaceMesh> mesh_in_rows(const RunContext& context, Evaluator& ev
                                         const FourSides& strip, const WallPlan& walls,
                                         const Settings& settings);
 
+// Whether all angles of a mesh's elements lie between two [deg], and none is turned over, or leans
+// so far that it makes a fold.
+bool angles_within(const RunContext& context, const SurfaceMesh& mesh, PatchSurface& surface,
+                   double least, double largest);
+
 }  // namespace advlayers

@@ -8,7 +8,9 @@
 #include "mesh/validate.h"
 #include "mesher/core_completion.h"
 #include "mesher/element_faces.h"
+#include "mesher/mapped_face.h"
 #include "mesher/narrow_strip.h"
+#include "mesher/periodic_faces.h"
 #include "mesher/wall_report.h"
 #include "triangulate/triangulate.h"
 
@@ -50,7 +52,8 @@ void PatchJob::plan(const RunContext& context) {
   const bool planned = record_.guard("face-not-meshed", [&] {
     walls_ = plan_walls(context, evaluator_, *settings_, faces_);
     matches_ = plan_matches(context, evaluator_, faces_, walls_);
-    strip_ = find_narrow_strip(context, evaluator_, faces_, walls_, *settings_);
+    plan_mapped();
+    if (!mapped_) strip_ = find_narrow_strip(context, evaluator_, faces_, walls_, *settings_);
   });
   if (planned) return;
   stage_ = Stage::kDefective;
@@ -71,7 +74,8 @@ std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
           Severity::kInfo, "no-boundary",
           Sentence("{} has no boundary edge that layers could grow from", patch_name(faces_)));
     }
-    in_rows = fill_in_rows(context, boundary);
+    in_rows = fill_mapped(context, boundary) || fill_in_rows(context, boundary) ||
+              fill_as_offered(context, boundary);
     if (!in_rows) make_triangles(context, boundary, coarse);
   });
   if (!meshed && failed_.empty() && faces_.size() > 1) failed_ = faces_;
@@ -105,6 +109,65 @@ void PatchJob::make_triangles(const RunContext& context, const Discretization& b
     failed_ = error.faces();
     throw;
   }
+}
+
+void PatchJob::plan_mapped() {
+  const auto& asked = settings_->mapped_faces;
+  mapped_.reset();
+  offered_.reset();
+  if (std::find(asked.begin(), asked.end(), faces_.front()) == asked.end()) {
+    const bool plain = std::all_of(walls_.edges.begin(), walls_.edges.end(), [](const auto& entry) {
+      return entry.second.condition == EdgeCondition::kOff;
+    });
+    if (plain && faces_.size() == 1 && settings_->core == CoreElements::kQuads &&
+        settings_->initial_nodes == nullptr) {
+      offered_ = find_four_sides(evaluator_, faces_.front());
+    }
+    return;
+  }
+  if (faces_.size() == 1) mapped_ = find_mapped_sides(evaluator_, faces_.front());
+  if (mapped_) {
+    for (const MatchEnd& end : ends_of_mapped(evaluator_, *mapped_, walls_)) {
+      matches_.ends.push_back(end);
+    }
+    return;
+  }
+  Diagnostic note;
+  note.severity = Severity::kWarning;
+  note.code = "not-mapped";
+  note.sentence =
+      Sentence("{} is not mapped: its outline has no four corners, and it is no ring in a plane",
+               face_name(faces_.front()));
+  matches_.notes.push_back(std::move(note));
+}
+
+bool PatchJob::fill_mapped(const RunContext& context, const Discretization& boundary) {
+  if (!mapped_) return false;
+  std::optional<MappedMesh> made =
+      mesh_mapped(context, evaluator_, surface_, boundary, *mapped_, walls_,
+                  SizeField(*settings_).of_face(faces_.front()));
+  if (!made) {
+    record_.complain(Severity::kWarning, "not-mapped",
+                     Sentence("{} is not mapped: its sides are cut into different numbers of "
+                              "segments, or rows between them would fold",
+                              face_name(faces_.front())));
+    return false;
+  }
+  mesh_ = std::move(made->mesh);
+  stops_ = std::move(made->stops);
+  record_.tell_layers(made->layers);
+  return true;
+}
+
+bool PatchJob::fill_as_offered(const RunContext& context, const Discretization& boundary) {
+  if (!offered_) return false;
+  std::optional<MappedMesh> made =
+      mesh_mapped(context, evaluator_, surface_, boundary, *offered_, walls_,
+                  SizeField(*settings_).of_face(faces_.front()));
+  if (!made || !fits(context, evaluator_, surface_, made->mesh, *settings_)) return false;
+  mesh_ = std::move(made->mesh);
+  stops_.clear();
+  return true;
 }
 
 // A strip too narrow for layers is finished at once: each of its walls' columns has met the other.
@@ -222,6 +285,30 @@ void PatchJob::find_faces(const RunContext& context, const Discretization& bound
       find_element_faces(context, mesh_, surface_, boundary, SizeField(*settings_));
   face_of_ = std::move(found.of);
   if (!surface_.faceted()) strained_ = std::move(found.strained);
+}
+
+void PatchJob::copy_moved(const PatchJob& given, const FacePair& pair,
+                          const Discretization& boundary) {
+  record_.guard("not-periodic", [&] {
+    std::optional<MovedMesh> moved;
+    if (faces_.size() == 1 && given.faces_.size() == 1 && given.finished() && finished()) {
+      moved = move_mesh(evaluator_, given.mesh_, pair, boundary);
+    }
+    if (!moved) {
+      record_.complain(Severity::kWarning, "not-periodic",
+                       Sentence("{} is not meshed as {} is: they do not lie alike, or are parts of "
+                                "larger patches",
+                                face_name(pair.found), face_name(pair.given)));
+      return;
+    }
+    mesh_ = std::move(moved->mesh);
+    stops_.clear();
+    for (StopRecord stop : given.stops_) {
+      stop.root = moved->of[stop.root.index()];
+      stops_.push_back(stop);
+    }
+    record_.tell_layers(given.record_.layers());
+  });
 }
 
 void PatchJob::split_edges(const RunContext& context, const std::vector<HalfedgeH>& edges,

@@ -9,6 +9,7 @@
 
 #include "base/run_context.h"
 #include "boundary/discretization.h"
+#include "boundary/periodic_pairs.h"
 #include "geometry/four_sides.h"
 #include "geometry/patch_surface.h"
 #include "layers/patch_layers.h"
@@ -33,6 +34,8 @@ class PatchJob {
   std::vector<EdgeId> triangulate(const RunContext& context, const Discretization& boundary);
   std::optional<LayerReport> advance(const RunContext& context);  // empty: no front is left
   void finish(const RunContext& context, const Discretization& boundary);
+  // Takes the mesh of another finished patch of one face, moved; between finish() and measure().
+  void copy_moved(const PatchJob& given, const FacePair& pair, const Discretization& boundary);
   // Splits edges inside the finished patch; between finish() and measure().
   void split_edges(const RunContext& context, const std::vector<HalfedgeH>& edges,
                    const Discretization& boundary);
@@ -53,7 +56,8 @@ class PatchJob {
   // Of finish(): those of several faces that the patch's mesh could not follow.
   const std::vector<FaceId>& strained_faces() const { return strained_; }
   const std::vector<MatchEnd>& match_ends() const { return matches_.ends; }
-  const std::optional<FourSides>& strip() const { return strip_; }  // of plan()
+  const std::optional<FourSides>& strip() const { return strip_; }    // of plan()
+  const std::optional<FourSides>& mapped() const { return mapped_; }  // of plan()
   double area() const { return area_; }  // [mm^2] of the faces, as a measure of the work
   const SurfaceMesh& mesh() const { return mesh_; }
 
@@ -71,7 +75,7 @@ class PatchJob {
   enum class Stage {
     kDefective,  // cannot be meshed
     kUnmeshed,   // planned, or not even that
-    kInRows,     // meshed by rows across a strip, without layers
+    kInRows,     // meshed by rows across a strip, without layers, or mapped
     kGrowing,    // triangulated, with fronts
     kGrown,      // no front is left
     kFinished    // the core, too
@@ -81,7 +85,10 @@ class PatchJob {
                       std::vector<EdgeId>& coarse);
   bool mend_without_layers(const RunContext& context, const std::string& fault,
                            const Discretization& boundary);
+  void plan_mapped();
   bool fill_in_rows(const RunContext& context, const Discretization& boundary);
+  bool fill_mapped(const RunContext& context, const Discretization& boundary);
+  bool fill_as_offered(const RunContext& context, const Discretization& boundary);
   void end_layers();
   void tell_of_crossings(int crossing);
   void find_faces(const RunContext& context, const Discretization& boundary);
@@ -98,8 +105,11 @@ class PatchJob {
   SurfaceMesh mesh_;
   int initial_nodes_ = 0;
   std::unique_ptr<PatchLayers> layers_;
-  std::optional<FourSides> strip_;  // of plan(): too narrow for layers
-  std::vector<FaceId> face_of_;     // by FaceH, of a finished patch of several faces
+  std::optional<FourSides> strip_;   // of plan(): too narrow for layers
+  std::optional<FourSides> mapped_;  // of plan(), where that was asked for
+  // Of plan(), without layers: mapped where the sides agree by themselves.
+  std::optional<FourSides> offered_;
+  std::vector<FaceId> face_of_;  // by FaceH, of a finished patch of several faces
   std::vector<FaceId> strained_, failed_;
   std::vector<StopRecord> stops_;
 };

@@ -30,7 +30,14 @@ EdgeSet boundary_edges(const RunContext& context, Evaluator& evaluator, const Se
   return edges;
 }
 
-EdgePlan wall_by(const WallSpec& spec, const Settings& settings) {
+// Of the mesh edges along a wall to its first height, where small parts have sizes of their own.
+constexpr double kLocalAspect = 10.0;
+
+EdgePlan wall_by(WallSpec spec, const Settings& settings) {
+  const bool own = spec.first_height || spec.end_height || spec.aspect_ratio ||
+                   spec.turning_angle || spec.thickness || spec.thickness_share;
+  const bool high = settings.first_height >= 0.999 * settings.size / kLocalAspect;
+  if (!own && high && settings.cells_across > 0) spec.aspect_ratio = kLocalAspect;
   const WallSpacing spacing = spacing_of(spec, settings);
   return {
       EdgeCondition::kWall, {spacing.first_height, spacing.growth, spacing.layers}, spacing.rule};
@@ -55,7 +62,13 @@ void apply_spec(const RunContext& context, const WallSpec& spec, const Settings&
   for (const EdgeId edge : spec.edges) {
     context.check();
     if (walls.edges.count(edge) == 0 || !concerns(spec, model, faces, edge)) continue;
-    walls.edges[edge] = wall_by(spec, settings);
+    WallSpec here = spec;
+    if (spec.thickness_share) {
+      here.thickness =
+          *spec.thickness_share * SizeField(settings).of_edge(edge, model.edge(edge).faces);
+      here.thickness_share.reset();
+    }
+    walls.edges[edge] = wall_by(here, settings);
   }
 }
 
@@ -132,7 +145,8 @@ WallPlan plan_walls(const RunContext& context, Evaluator& evaluator, const Setti
     walls.max_height = std::max(walls.max_height, sizes.of_face(face));
   for (const EdgeId edge : boundary_edges(context, evaluator, settings, faces)) {
     context.check();
-    walls.edges[edge] = settings.walls_all ? wall_by(WallSpec(), settings) : EdgePlan();
+    const bool wall = settings.walls_all || settings.others == OtherEdges::kWall;
+    walls.edges[edge] = wall ? wall_by(WallSpec(), settings) : EdgePlan();
   }
   for (const WallSpec& spec : settings.walls) {
     apply_spec(context, spec, settings, evaluator.model(), faces, walls);
@@ -146,7 +160,8 @@ WallPlan plan_walls(const RunContext& context, Evaluator& evaluator, const Setti
     }
   };
   override_with(settings.match_edges, EdgeCondition::kMatch);
-  if (!settings.walls_all) match_beside_walls(evaluator.model(), walls);
+  const bool along = !settings.walls_all && settings.others == OtherEdges::kMatch;
+  if (along) match_beside_walls(evaluator.model(), walls);
   override_with(settings.off_edges, EdgeCondition::kOff);
   return walls;
 }

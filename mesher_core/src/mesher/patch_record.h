@@ -46,6 +46,7 @@ class PatchRecord {
   void take(const std::vector<Diagnostic>& told);  // of this patch
   void add_layer(const LayerReport& layer);
   void forget_layers() { report_.layers = 0; }
+  void tell_layers(int layers) { report_.layers = layers; }  // that came about at once
   // Counts the finished mesh's elements and judges them and the walls. Throws Cancelled.
   void measure(const RunContext& context, const MeshOfPatch& of, std::vector<WallReport> walls);
 

@@ -63,6 +63,8 @@ struct MeshResult {
   // Mesh edges on CAD edges: node pairs, by EdgeId.
   std::vector<std::vector<std::array<int, 2>>> edge_segments;
   std::vector<std::vector<int>> segment_mids;  // of order 2, beside edge_segments
+  // By entry of the settings' periodic: nodes that its motion brings onto others, with those.
+  std::vector<std::vector<std::array<int, 2>>> periodic_nodes;
   std::vector<PatchReport> patches;
   std::vector<WallReport> walls;  // empty in a snapshot
   Figures figures;                // all zero in a snapshot

@@ -46,6 +46,7 @@ Settings in_edges_of(const Model& model, Settings settings) {
   if (!model.sewn()) return settings;
   for (WallSpec& wall : settings.walls) replace(model, wall.edges);
   for (SizeSpec& size : settings.sizes) replace(model, size.edges);
+  for (PeriodicSpec& spec : settings.periodic) replace(model, spec.given_edges);
   for (std::vector<EdgeId>* edges : {&settings.match_edges, &settings.off_edges,
                                      &settings.boundary_edges, &settings.smooth_edges}) {
     replace(model, *edges);

@@ -34,7 +34,7 @@ const char* kind_name(Kind kind) {
       return "faces";
     case Kind::kLayers:
       return "layers";
-    case Kind::kCore:
+    case Kind::kChoice:
       return "choice";
     case Kind::kWalls:
       return "walls";
@@ -42,14 +42,12 @@ const char* kind_name(Kind kind) {
       return "sizes";
     case Kind::kRefinements:
       return "refinements";
+    case Kind::kPeriodic:
+      return "periodic";
     case Kind::kInitialMesh:
       break;
   }
   return "mesh";
-}
-
-const char* core_name(CoreElements core) {
-  return core == CoreElements::kQuads ? "quads" : "triangles";
 }
 
 bool Range::holds(double value) const {
@@ -101,6 +99,27 @@ const std::vector<Row<Settings>>& mesh_rows() {
        "The most that one element edge may turn along a curved edge or face; finer than size "
        "where the shape is curved.",
        &Settings::curvature_angle},
+      {"min_size", Kind::kNumber, "mm", kFromZero,
+       "The least edge length that curvature and chords may ask for; 0: any. Sizes of edges, faces "
+       "and regions are not held to it.",
+       &Settings::min_size},
+      {"chord_deviation", Kind::kNumber, "mm", kFromZero,
+       "The most that the middle of a mesh edge may lie off the curve or surface that it stands "
+       "for; 0: any.",
+       &Settings::chord_deviation},
+      {"relative_chord",
+       Kind::kNumber,
+       "",
+       {0.0, 0.5},
+       "The same over the length of the mesh edge; 0: any.",
+       &Settings::relative_chord},
+      {"cells_across", Kind::kCount, "", kFromZero,
+       "The least number of elements over the extent of each face, however small it is beside the "
+       "whole, down to a tenth of size; a small outline inside a plane face, such as an airfoil in "
+       "its domain, gets twelve times as many around it, fewer where there are several. First "
+       "heights of a tenth of size or more are held to a tenth of the mesh edges along their wall. "
+       "0: none. Default: 10 where neither size nor first_height is given.",
+       &Settings::cells_across},
       {"size_growth",
        Kind::kNumber,
        "",
@@ -118,8 +137,8 @@ const std::vector<Row<Settings>>& mesh_rows() {
        Kind::kRefinements,
        "",
        kAny,
-       "Points about which the mesh is finer; as a property, texts of five numbers: x y z size "
-       "radius.",
+       "Points, lines and boxes about which the mesh is finer; as a property, texts: x y z size "
+       "radius, or line x y z x y z size radius, or box x y z x y z size radius.",
        {}},
       {"first_height", Kind::kNumber, "mm", kAboveZero,
        "Height of the first layer, measured along the surface. Default: 1/10 of size.",
@@ -136,10 +155,18 @@ const std::vector<Row<Settings>>& mesh_rows() {
        kAny,
        "The boundary edges that layers grow from: all, or a list of walls with their own spacing.",
        {}},
+      {"others",
+       Kind::kChoice,
+       "",
+       kAny,
+       "What becomes of boundary edges that a list of walls leaves out: those that meet a wall are "
+       "match edges, or all are off, or all are walls of the mesh's own values.",
+       &Settings::others,
+       false,
+       {"match", "off", "wall"}},
       {"match", Kind::kEdges, "", kAny,
        "Boundary edges that layers run along: their nodes lie where the layers of the walls at "
-       "their ends arrive. Beside listed walls, the edges that meet them are match edges by "
-       "default.",
+       "their ends arrive.",
        &Settings::match_edges},
       {"off", Kind::kEdges, "", kAny,
        "Boundary edges that no layer grows from or runs along: beside them each layer ends in a "
@@ -154,17 +181,31 @@ const std::vector<Row<Settings>>& mesh_rows() {
        "may meet there at up to 70 degrees.",
        &Settings::smooth_edges},
       {"core",
-       Kind::kCore,
+       Kind::kChoice,
        "",
        kAny,
        "What fills the part that no layer reaches: quads where they come out well, or triangles.",
-       {}},
+       &Settings::core,
+       false,
+       {"quads", "triangles"}},
       {"order",
        Kind::kCount,
        "",
        {1.0, 2.0},
        "2 puts a node in the middle of each mesh edge, on the shape.",
        &Settings::order},
+      {"mapped", Kind::kFaces, "", kAny,
+       "Faces with four sides that are filled with rows and columns of quads from side to side, "
+       "with the layers of walls along them; facing sides get as many mesh edges.",
+       &Settings::mapped_faces},
+      {"periodic",
+       Kind::kPeriodic,
+       "",
+       kAny,
+       "Edges and faces that a motion brings onto others: these are cut and meshed as copies of "
+       "those; as a property, texts: Face1 move x y z, or Edge1 Edge2 turn x y z x y z angle, with "
+       "a point on the axis and its direction.",
+       {}},
       {"threads", Kind::kCount, "", kFromZero,
        "Threads to mesh with; 0 uses all processors. The mesh does not depend on it.",
        &Settings::threads},
@@ -203,6 +244,9 @@ const std::vector<Row<WallSpec>>& wall_rows() {
        "third; where fewer are given, those of the whole mesh stand in, and layers are worked out "
        "first.",
        &WallSpec::thickness},
+      {"thickness_share", Kind::kNumber, "", kAboveZero,
+       "Instead of thickness: the height of all layers together over the size along the edge.",
+       &WallSpec::thickness_share},
   };
   return kRows;
 }
@@ -227,6 +271,21 @@ const std::vector<Row<SizeSpec>>& size_rows() {
       {"both_ends", Kind::kFlag, "", kAny,
        "Clusters towards both ends: the ratio is then that of the middle to the ends.",
        &SizeSpec::both_ends},
+      {"first_segment", Kind::kNumber, "mm", kAboveZero,
+       "Length of the first mesh edge at the first vertex of each CAD edge.",
+       &SizeSpec::first_segment},
+      {"last_segment", Kind::kNumber, "mm", kAboveZero,
+       "Length of the last mesh edge at the last vertex of each CAD edge.",
+       &SizeSpec::last_segment},
+      {"distribution",
+       Kind::kChoice,
+       "",
+       kAny,
+       "How mesh edges grow between first and last segment: smoothly towards both, in geometric "
+       "steps, or not at all beyond one step.",
+       &SizeSpec::distribution,
+       false,
+       {"tanh", "geometric", "constant"}},
   };
   return kRows;
 }
@@ -239,6 +298,36 @@ const std::vector<Row<Refinement>>& refinement_rows() {
        &Refinement::size, true},
       {"radius", Kind::kNumber, "mm", kFromZero,
        "The size holds within this distance of the point.", &Refinement::radius},
+      {"end", Kind::kPoint, "", kAny,
+       "End of a line from the point [mm]: the size holds within radius of the line.",
+       &Refinement::end},
+      {"corner", Kind::kPoint, "", kAny,
+       "Opposite corner of a box along the axes [mm]: the size holds in it, and within radius of "
+       "it.",
+       &Refinement::corner},
+  };
+  return kRows;
+}
+
+const std::vector<Row<PeriodicSpec>>& periodic_rows() {
+  static const std::vector<Row<PeriodicSpec>> kRows = {
+      {"edges", Kind::kEdges, "", kAny,
+       "Edges whose copies are to be cut alike. Those of the faces need not be listed.",
+       &PeriodicSpec::given_edges},
+      {"faces", Kind::kFaces, "", kAny, "Faces whose copies are to be meshed alike.",
+       &PeriodicSpec::given_faces},
+      {"translation", Kind::kPoint, "", kAny, "How far they are moved [mm].",
+       &PeriodicSpec::translation},
+      {"angle",
+       Kind::kNumber,
+       "deg",
+       {-360.0, 360.0},
+       "How far they are turned about the axis, before they are moved.",
+       &PeriodicSpec::angle},
+      {"axis_point", Kind::kPoint, "", kAny, "A point on the axis [mm]. Default: the origin.",
+       &PeriodicSpec::axis_point},
+      {"axis_direction", Kind::kPoint, "", kAny, "Direction of the axis. Default: z.",
+       &PeriodicSpec::axis},
   };
   return kRows;
 }

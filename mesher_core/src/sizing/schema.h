@@ -2,6 +2,8 @@
 // bindings, the properties, the widgets, the keys of jobs and the reference page follow them.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -23,10 +25,11 @@ enum class Kind {
   kFaces,     // a list
   kAllFaces,  // or all of them
   kLayers,
-  kCore,
+  kChoice,
   kWalls,
   kSizes,
   kRefinements,
+  kPeriodic,
   kInitialMesh,
 };
 
@@ -34,9 +37,6 @@ const char* kind_name(Kind kind);
 
 inline constexpr double kMostGrowth = 10.0;  // the second layer would be the last that is seen
 inline constexpr int kMostLayers = 100000;   // no mesh that any machine holds has more
-
-inline constexpr CoreElements kCoreElements[] = {CoreElements::kQuads, CoreElements::kTriangles};
-const char* core_name(CoreElements core);
 
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
@@ -52,7 +52,9 @@ struct Range {
 template <class Owner>
 using Member = std::variant<std::monostate, double Owner::*, std::optional<double> Owner::*,
                             int Owner::*, std::optional<int> Owner::*, bool Owner::*, Vec3 Owner::*,
-                            std::vector<EdgeId> Owner::*, std::vector<FaceId> Owner::*>;
+                            std::optional<Vec3> Owner::*, std::vector<EdgeId> Owner::*,
+                            std::vector<FaceId> Owner::*, CoreElements Owner::*,
+                            OtherEdges Owner::*, Distribution Owner::*>;
 
 template <class Owner>
 struct Row {
@@ -63,7 +65,11 @@ struct Row {
   const char* doc;  // a sentence or two: tooltip and reference page
   Member<Owner> member;
   bool required = false;
+  std::array<const char*, 4> choices = {};  // the names of an enumeration, in its order
 
+  std::vector<const char*> names() const {
+    return {choices.begin(), std::find(choices.begin(), choices.end(), nullptr)};
+  }
   // The number there, if any: what the range is about.
   std::optional<double> number(const Owner& owner) const;
 };
@@ -72,6 +78,7 @@ const std::vector<Row<Settings>>& mesh_rows();
 const std::vector<Row<WallSpec>>& wall_rows();
 const std::vector<Row<SizeSpec>>& size_rows();
 const std::vector<Row<Refinement>>& refinement_rows();
+const std::vector<Row<PeriodicSpec>>& periodic_rows();
 
 // Throws InvalidInput for the first number out of its row's range; `list` ("sizes: ") goes before
 // its key, `where` ("Edge7") behind the value.

@@ -84,12 +84,17 @@ void check_size(const SizeSpec& spec, const Model& model) {
   const auto refuse_entry = [&where](const Sentence& why) {
     throw InvalidInput("{}: {} ({})", "sizes", why, where);
   };
-  if (!spec.size && !spec.segments && !spec.cluster) {
-    refuse_entry(Sentence("an entry needs a size, segments or cluster"));
+  const bool ends = spec.first_segment || spec.last_segment;
+  if (!spec.size && !spec.segments && !spec.cluster && !ends) {
+    refuse_entry(Sentence("an entry needs a size, segments, cluster or a segment at an end"));
+  }
+  if (ends && spec.cluster) {
+    refuse_entry(Sentence("{} and {} exclude each other", "cluster",
+                          spec.first_segment ? "first_segment" : "last_segment"));
   }
   check_ranges(spec, size_rows(), "sizes: ", where);
   if (spec.both_ends && !spec.cluster) refuse_entry(Sentence("both_ends needs a cluster"));
-  if (spec.edges.empty() && (spec.segments || spec.cluster)) {
+  if (spec.edges.empty() && (spec.segments || spec.cluster || ends)) {
     refuse_entry(Sentence("segments and cluster are of edges, and the entry lists none"));
   }
   if (spec.faces.empty() && spec.size && spec.segments) {
@@ -112,7 +117,12 @@ void check_sizes(const Settings& settings, const Model& model) {
   }
   for (const Refinement& r : settings.refinements) {
     check_ranges(r, refinement_rows(), "refinements: ");
-    if (!r.point.allFinite()) throw InvalidInput("{}: point must be finite", "refinements");
+    for (const Vec3& p : {r.point, r.end.value_or(r.point), r.corner.value_or(r.point)}) {
+      if (!p.allFinite()) throw InvalidInput("{}: point must be finite", "refinements");
+    }
+    if (r.end && r.corner) {
+      throw InvalidInput("{}: {} and {} exclude each other", "refinements", "end", "corner");
+    }
   }
 }
 
@@ -194,6 +204,26 @@ void check_patch_edges(const Settings& settings, const Model& model) {
   }
 }
 
+void check_periodic(const Settings& settings, const Model& model) {
+  for (const PeriodicSpec& spec : settings.periodic) {
+    if (spec.given_edges.empty() && spec.given_faces.empty()) {
+      throw InvalidInput("{}: an entry lists neither edge nor face", "periodic");
+    }
+    for (const EdgeId e : spec.given_edges) check_edge(e, model, "periodic");
+    for (const FaceId f : spec.given_faces) check_face(f, model, "periodic");
+    check_ranges(spec, periodic_rows(), "periodic: ");
+    for (const Vec3& p : {spec.translation, spec.axis_point, spec.axis}) {
+      if (!p.allFinite()) throw InvalidInput("{}: coordinates must be finite", "periodic");
+    }
+    if (!(spec.axis.norm() > 0.0)) {
+      throw InvalidInput("{}: {} must not be zero", "periodic", "axis_direction");
+    }
+    if (spec.translation.isZero() && spec.angle == 0.0) {
+      throw InvalidInput("{}: an entry needs a translation or an angle", "periodic");
+    }
+  }
+}
+
 // An isotropic mesh is the least that the size asks for; the layers only add to it.
 void check_amount(const Settings& settings, const Model& model) {
   const SizeField sizes(settings);
@@ -214,6 +244,18 @@ void check_amount(const Settings& settings, const Model& model) {
 
 }  // namespace
 
+double Refinement::distance(const Vec3& p) const {
+  if (corner) {
+    const Vec3 low = point.cwiseMin(*corner), high = point.cwiseMax(*corner);
+    return (p - p.cwiseMax(low).cwiseMin(high)).norm();
+  }
+  if (!end) return (p - point).norm();
+  const Vec3 along = *end - point;
+  const double length2 = along.squaredNorm();
+  const double part = length2 > 0.0 ? std::clamp((p - point).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (p - point - part * along).norm();
+}
+
 FeatureRule feature_rule(const Settings& settings) {
   FeatureRule rule(settings.feature_angle);
   rule.boundary = settings.boundary_edges;
@@ -230,11 +272,13 @@ void check(const Settings& settings, const Model& model) {
     refuse_value("layers", Sentence(">= 1"), settings.layers);
   }
   for (const FaceId f : settings.faces) check_face(f, model, "faces");
+  for (const FaceId f : settings.mapped_faces) check_face(f, model, "mapped");
   check_sizes(settings, model);
   check_amount(settings, model);
   check_conditions(settings, model);
   check_walls_apart(settings);
   check_patch_edges(settings, model);
+  check_periodic(settings, model);
 }
 
 }  // namespace advlayers

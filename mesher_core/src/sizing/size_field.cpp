@@ -51,7 +51,7 @@ double SizeField::near(const Vec3& p, FaceId face, double size) const {
     if (spacing < kClearlyFiner * size) size = spacing;
   }
   for (const Refinement& r : refinements_) {
-    const double beyond = std::max(0.0, (p - r.point).norm() - r.radius);
+    const double beyond = std::max(0.0, r.distance(p) - r.radius);
     size = std::min(size, r.size + slope_ * beyond);
   }
   return size;

@@ -23,7 +23,11 @@ void check_height_rules(const WallSpec& spec) {
     refuse(spec, Sentence("{}, {} and {} exclude each other", "first_height", "aspect_ratio",
                           "turning_angle"));
   }
-  if (spec.thickness && (spec.end_height || spec.aspect_ratio || spec.turning_angle)) {
+  if (spec.thickness && spec.thickness_share) {
+    refuse(spec, Sentence("{} and {} exclude each other", "thickness", "thickness_share"));
+  }
+  const bool thick = spec.thickness || spec.thickness_share;
+  if (thick && (spec.end_height || spec.aspect_ratio || spec.turning_angle)) {
     refuse(spec, Sentence("thickness needs a first height that is the same along the wall"));
   }
 }
@@ -61,8 +65,11 @@ double thickness_of(double first_height, double growth, int layers) {
   return first_height * std::expm1(layers * std::log(growth)) / (growth - 1.0);
 }
 
-WallSpacing spacing_of(const WallSpec& spec, const Settings& settings) {
-  check_height_rules(spec);
+// The thickness [mm] that is asked for, of the whole mesh's size where no edge tells it.
+WallSpacing spacing_of(const WallSpec& given, const Settings& settings) {
+  check_height_rules(given);
+  WallSpec spec = given;
+  if (spec.thickness_share) spec.thickness = *spec.thickness_share * settings.size;
   WallSpacing spacing;
   spacing.first_height = spec.first_height.value_or(settings.first_height);
   spacing.growth = spec.growth.value_or(settings.growth);

@@ -57,15 +57,77 @@ std::optional<StripGrid> StripGrid::lay_out(const RunContext& context, Evaluator
   return grid;
 }
 
+std::optional<StripGrid> StripGrid::lay_out_ring(const RunContext& context, Evaluator& evaluator,
+                                                 const Discretization& boundary,
+                                                 const FourSides& face, const Rows& rows) {
+  StripGrid grid;
+  grid.ring_ = true;
+  Side& low = grid.sides_[0] = points_along(evaluator, boundary, face.face, face.sides[0]);
+  Side& high = grid.sides_[2] = points_along(evaluator, boundary, face.face, face.sides[2]);
+  if (low.size() != high.size() || grid.meets_itself()) return std::nullopt;
+  std::reverse(high.begin(), high.end());
+  const double width = pair_rims(context, low, high);
+  const std::vector<double> shares = rows(low, width);
+  grid.columns_ = static_cast<int>(low.size()) - 1;
+  grid.rows_ = static_cast<int>(shares.size()) - 1;
+  grid.place_between_rims(evaluator, face.face, shares);
+  return grid;
+}
+
+// Turns the upper rim; returns the mean length of a column [mm].
+double StripGrid::pair_rims(const RunContext& context, const Side& low, Side& high) {
+  const std::size_t count = low.size() - 1;  // the last point is the first
+  high.erase(high.begin());  // the other one knows the edge that the loop begins with
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t offset = 0; offset < count; ++offset) {
+    context.check();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < count && sum < least; ++k) {
+      sum += (low[k].xyz - high[(k + offset) % count].xyz).norm();
+    }
+    if (sum < least) {
+      least = sum;
+      best = offset;
+    }
+  }
+  std::rotate(high.begin(), high.begin() + static_cast<std::ptrdiff_t>(best), high.end());
+  high.push_back(high.front());
+  return least / static_cast<double>(count);
+}
+
+void StripGrid::place_between_rims(Evaluator& evaluator, FaceId face,
+                                   const std::vector<double>& shares) {
+  points_.resize(index(columns_, rows_) + 1);
+  for (int row = 0; row <= rows_; ++row) {
+    const double up = shares[static_cast<std::size_t>(row)];
+    for (int column = 0; column <= columns_; ++column) {
+      const auto c = static_cast<std::size_t>(column);
+      const BoundaryPoint &low = sides_[0][c], &high = sides_[2][c];
+      const Vec2 uv = (1.0 - up) * low.uv + up * high.uv;
+      const SurfaceFrame frame = evaluator.frame(face, uv.x(), uv.y());
+      VertexData& data = points_[index(column, row)];
+      data.point = {face, uv.x(), uv.y(), frame.xyz};
+      data.normal = frame.normal;
+      if (row > 0 && row < rows_) continue;
+      const BoundaryPoint& on = row == 0 ? low : high;
+      data.point.xyz = on.xyz;
+      data.node = on.node;
+      data.support = on.support;
+    }
+  }
+}
+
 // But for a seam, which closes a band.
 bool StripGrid::meets_itself() const {
   std::set<NodeId> nodes;
   std::size_t points = 0;
   for (const Side& side : sides_) {
     for (std::size_t k = 0; k + 1 < side.size(); ++k) nodes.insert(side[k].node);
-    points += side.size() - 1;
+    points += std::max<std::size_t>(side.size(), 1) - 1;
   }
   for (const std::size_t k : {0, 1}) {
+    if (ring_) break;
     if (sides_[k].front().seam) points -= sides_[k].size();
   }
   return nodes.size() != points;
@@ -149,6 +211,11 @@ std::vector<VertexH> StripGrid::add_vertices(SurfaceMesh& mesh) const {
         vertices.push_back(known->second);
         continue;
       }
+      if (ring_) {
+        const bool again = column == columns_;
+        vertices.push_back(again ? vertices[index(0, row)] : mesh.add_vertex(data));
+        continue;
+      }
       const bool across = row > 0 && row<rows_, along = column> 0 && column < columns_;
       const bool on_seam = (across && !along && sides_[3][static_cast<std::size_t>(row)].seam) ||
                            (along && !across && sides_[0][static_cast<std::size_t>(column)].seam);
@@ -175,13 +242,19 @@ void StripGrid::mark_border(SurfaceMesh& mesh, const std::vector<VertexH>& verti
     mark(c, c + 1, index(c, 0), index(c + 1, 0), sides_[0], true);
     mark(c, c + 1, index(c, rows_), index(c + 1, rows_), sides_[2], false);
   }
-  for (int r = 0; r < rows_; ++r) {
+  for (int r = 0; r < rows_ && !ring_; ++r) {
     mark(r, r + 1, index(columns_, r), index(columns_, r + 1), sides_[1], true);
     mark(r, r + 1, index(0, r), index(0, r + 1), sides_[3], false);
   }
 }
 
-SurfaceMesh StripGrid::mesh() const {
+void StripGrid::place(int column, int row, const SurfacePoint& point, const Vec3& normal) {
+  VertexData& data = points_[index(column, row)];
+  data.point = point;
+  data.normal = normal;
+}
+
+SurfaceMesh StripGrid::mesh(std::vector<VertexH>* placed) const {
   SurfaceMesh mesh;
   const std::vector<VertexH> vertices = add_vertices(mesh);
   std::vector<std::vector<VertexH>> faces;
@@ -194,6 +267,7 @@ SurfaceMesh StripGrid::mesh() const {
   }
   mesh.build(faces);
   mark_border(mesh, vertices);
+  if (placed != nullptr) *placed = vertices;
   return mesh;
 }
 

@@ -10,9 +10,9 @@ class TargetSize {
  public:
   TargetSize(Evaluator& evaluator, const Settings& settings);
 
-  // min(size, chord that turns by curvature_angle at the largest curvature) [mm]; never less than a
-  // fixed share of `extent`, so that tips and creases of no radius do not ask for endless
-  // refinement.
+  // min(size, chord that turns by curvature_angle, or lies as far off as it may, at the largest
+  // curvature) [mm]; never less than min_size and a fixed share of `extent`, so that tips and
+  // creases of no radius do not ask for endless refinement.
   double at(const SurfacePoint& p);
 
   // What curvature alone never asks less than on the face [mm].
@@ -28,6 +28,8 @@ class TargetSize {
   Evaluator* evaluator_;
   SizeField sizes_;
   double chord_of_unit_radius_;
+  double chord_deviation_;  // [mm] 0: any
+  double min_size_;         // [mm]
 };
 
 }  // namespace advlayers

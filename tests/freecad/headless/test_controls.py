@@ -235,6 +235,37 @@ def test_children_of_a_copy_in_another_document(mesh):
         FreeCAD.closeDocument(other.Name)
 
 
+def test_lines_and_boxes_of_refinement_are_texts(mesh):
+    mesh.Refinements = ["line 0 0 0 5 0 0 0.5 1", "box 0 0 0 1 2 3 0.4", "1 2 3 0.7"]
+    line, box_, point = layer_mesh.settings_of(mesh)["refinements"]
+    assert (line["end"], line["radius"], line["size"]) == ((5.0, 0.0, 0.0), 1.0, 0.5)
+    assert (box_["corner"], box_["end"], box_["size"]) == ((1.0, 2.0, 3.0), None, 0.4)
+    assert (point["end"], point["corner"], point["point"]) == (None, None, (1.0, 2.0, 3.0))
+    made = advlayers.make_layer_mesh(mesh.Part, mesh_now=False, refinements=[
+        {"point": [0, 0, 0], "end": [5, 0, 0], "size": 0.5, "radius": 1}])
+    assert made.Refinements == ["line 0 0 0 5 0 0 0.5 1"]
+    mesh.Refinements = ["line 0 0 0 5 0 0 0.5 1 2"]
+    with pytest.raises(InputError, match="a number too many"):
+        layer_mesh.settings_of(mesh)
+
+
+def test_periodic_motions_and_mapped_faces_are_texts(mesh):
+    mesh.Periodic = ["Face1 Edge2 move 10 0 0", "Edge5 turn 0 0 0 0 0 1 90"]
+    mesh.Mapped = ["Face3"]
+    settings = layer_mesh.settings_of(mesh)
+    moved, turned = settings["periodic"]
+    assert (moved["faces"], moved["edges"], moved["translation"]) == (
+        ("Face1",), ("Edge2",), (10.0, 0.0, 0.0))
+    assert (turned["angle"], turned["axis_direction"]) == (90.0, (0.0, 0.0, 1.0))
+    assert settings["mapped"] == ("Face3",)
+    made = advlayers.make_layer_mesh(mesh.Part, mesh_now=False, mapped=["Face1"], periodic=[
+        {"faces": ["Face1"], "translation": [0, 0, 5]}])
+    assert (made.Periodic, made.Mapped) == (["Face1 move 0 0 5"], ["Face1"])
+    mesh.Periodic = ["Face1 move 10 0"]
+    with pytest.raises(InputError, match="must hold texts like"):
+        layer_mesh.settings_of(mesh)
+
+
 def test_features_become_names_and_presets_settings(box):
     plate = box.Document.addObject("Part::Feature", "Plate")
     plate.Shape = Part.makeBox(40, 30, 2).cut(
@@ -246,7 +277,7 @@ def test_features_become_names_and_presets_settings(box):
     edges = [plate.Shape.getElement(name) for _object, names in wall.References for name in names]
     assert len(edges) == 2 and all(edge.Curve.Radius == 2.0 for edge in edges)
     washers = advlayers.make_layer_mesh(plate, mesh_now=False, preset="washers", size=2)
-    assert washers.FeatureAngle.Value == 15.0
+    assert washers.Others == "off" and washers.FeatureAngle.Value == 15.0
     names = [name for _object, names in washers.WallList[0].References for name in names]
     assert len(names) == 4
     advlayers.apply_preset(washers, "fem")
