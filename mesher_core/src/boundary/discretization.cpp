@@ -9,6 +9,7 @@
 #include "boundary/edge_creases.h"
 #include "boundary/edge_overshoot.h"
 #include "boundary/facing_joints.h"
+#include "boundary/facing_parts.h"
 #include "boundary/facing_stretches.h"
 #include "boundary/joined_edges.h"
 #include "boundary/layers_along.h"
@@ -65,7 +66,8 @@ class Discretizer {
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
     choose_faces(settings);
-    choose_strips(strips, match_ends);
+    find_given(match_ends);
+    choose_strips(strips);
     make_stretches();
   }
 
@@ -102,18 +104,22 @@ class Discretizer {
     }
   }
 
-  // Strips but for those with edges that the user has cut, or that layers run along.
-  void choose_strips(const std::vector<FourSides>& strips,
-                     const std::vector<MatchEnd>& match_ends) {
-    std::set<EdgeId> along_layers;
-    for (const MatchEnd& match : match_ends) along_layers.insert(match.edge);
-    const auto is_given = [&](const CoEdge& coedge) {
-      const SizeSpec* spec = sizes_.edge_spec(coedge.edge);
-      return (spec != nullptr && is_cut_by(*spec)) || along_layers.count(coedge.edge) > 0;
-    };
+  // Edges that the user has cut, or that layers run along.
+  void find_given(const std::vector<MatchEnd>& match_ends) {
+    given_.assign(model_.edges().size(), 0);
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      const SizeSpec* spec = sizes_.edge_spec(EdgeId(i));
+      if (spec != nullptr && is_cut_by(*spec)) given_[i] = 1;
+    }
+    for (const MatchEnd& match : match_ends) given_[match.edge.index()] = 1;
+  }
+
+  void choose_strips(const std::vector<FourSides>& strips) {
     for (const FourSides& strip : strips) {
       if (std::none_of(strip.sides.begin(), strip.sides.end(), [&](const auto& side) {
-            return std::any_of(side.begin(), side.end(), is_given);
+            return std::any_of(side.begin(), side.end(), [&](const CoEdge& coedge) {
+              return given_[coedge.edge.index()] != 0;
+            });
           })) {
         strips_.push_back(strip);
       }
@@ -162,9 +168,23 @@ class Discretizer {
       if (!sides_[i].empty() && !model_.edges()[i].degenerate) joints[i] = own_joints(EdgeId(i));
     }
     face_joints(context_, evaluator_, strips_, joints);
+    find_facing(joints);
     find_joined();
     joined_.add_joints(joints);
     return joints;
+  }
+
+  // On all faces but those that are strips as a whole.
+  void find_facing(std::vector<std::vector<double>>& joints) {
+    if (model_.triangular()) return;
+    std::vector<char> wanted(meshed_.begin(), meshed_.end());
+    for (const FourSides& strip : strips_) wanted[strip.face.index()] = 0;
+    FacingEdges facing(context_, evaluator_, sizes_, limits_.curve_angle, given_);
+    for (std::size_t f = 0; f < wanted.size(); ++f) {
+      if (wanted[f] != 0) facing.find(FaceId(f), joints);
+    }
+    facing.face_joints(joints);
+    facing_parts_ = facing.release();
   }
 
   void find_joined() {
@@ -253,7 +273,7 @@ class Discretizer {
   }
 
   void face_strips() {
-    facing_.emplace(context_, strips_, stretches_);
+    facing_.emplace(context_, strips_, facing_parts_, stretches_);
     facing_->cut(std::vector<char>(stretches_.all.size(), 1));
     grade();
     for (int round = 0; round < kFacingRounds && facing_->even_out_ends(); ++round) grade();
@@ -443,6 +463,8 @@ class Discretizer {
   std::vector<std::vector<EdgeSpacing::Side>> sides_;  // by EdgeId
   Stretches stretches_;
   std::vector<FourSides> strips_;
+  std::vector<char> given_;  // by EdgeId: how it is cut is not ours to choose
+  std::vector<FacingParts> facing_parts_;
   std::optional<FacingStretches> facing_;
   JoinedEdges joined_;
   std::vector<int> joint_of_parting_;  // -1: none yet
