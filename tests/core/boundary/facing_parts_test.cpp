@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "boundary/discretization.h"
+#include "boundary/facing_parts.h"
 #include "coarse_settings.h"
 #include "geometry/shapes.h"
 #include "layers/layer_shapes.h"

@@ -7,6 +7,7 @@
 #include "geometry/shapes.h"
 #include "layers/layer_shapes.h"
 #include "mesher/mesh_of.h"
+#include "mesher/walls_run_on.h"
 
 namespace advlayers::test {
 namespace {
