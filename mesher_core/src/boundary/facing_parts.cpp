@@ -12,11 +12,12 @@ constexpr double kReach = 2.0;    // segments that a gap may be wide
 constexpr double kFacing = 0.77;  // cosine: 40 degrees between the way across and either normal
 // Joints that miss each other by less than this part of a segment face each other well enough.
 constexpr double kSnap = 0.35;
-constexpr double kShortest = 1.0;  // segments: shorter parts stay as they are
-constexpr int kFewestSamples = 6, kMostSamples = 256;
-constexpr double kSamplesPerSegment = 2.0;
-constexpr int kRounds = 4;               // a new joint may ask for others across the next gap
-constexpr std::int64_t kMostCells = 64;  // of the search grid that one segment is put into
+constexpr double kShortest = 1.0;           // segments: shorter parts stay as they are
+constexpr int kFewestSamples = 6;           // from joint to joint, however short
+constexpr int kMostSamples = 256;           // the same, however long
+constexpr double kSamplesPerSegment = 2.0;  // parts end within half a segment of where they should
+constexpr int kRounds = 4;                  // a new joint may ask for others across the next gap
+constexpr std::int64_t kMostCells = 64;     // of the search grid that one segment is put into
 
 struct Foot {
   int piece = -1;
@@ -54,7 +55,7 @@ class FaceBorder {
 
   void add(const CoEdge& coedge, double from, double to, double size, double curvature_angle) {
     double curvature = 0.0;
-    constexpr int kLooks = 4;
+    constexpr int kLooks = 4;  // at the curvature along it
     for (int k = 0; k <= kLooks; ++k) {
       const double t = from + (to - from) * k / kLooks;
       curvature = std::max(curvature, evaluator_.edge_curvature(coedge.edge, t));
