@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(End{"Straight", {{0, 0}, {100, 0}, {180, 0}, {180, 100}, {0, 100}}},
                     End{"Step", {{0, 0}, {100, 0}, {100, -80}, {200, -80}, {200, 100}, {0, 100}}},
                     End{"Slope", {{0, 0}, {100, 0}, {200, -50}, {200, 100}, {0, 100}}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
 }  // namespace advlayers::test
