@@ -50,7 +50,8 @@ bool is_cut_by(const SizeSpec& spec) {
 class Discretizer {
  public:
   Discretizer(const RunContext& context, Evaluator& evaluator, const Settings& settings,
-              const std::vector<MatchEnd>& match_ends, const std::vector<FourSides>& strips)
+              const std::vector<MatchEnd>& match_ends, const std::vector<FourSides>& strips,
+              const std::vector<FourSides>& mapped, const std::vector<EdgePair>& periodic)
       : context_(context),
         evaluator_(evaluator),
         model_(evaluator.model()),
@@ -68,6 +69,7 @@ class Discretizer {
     choose_faces(settings);
     find_given(match_ends);
     choose_strips(strips);
+    hold(mapped, periodic);
     make_stretches();
   }
 
@@ -174,12 +176,23 @@ class Discretizer {
     return joints;
   }
 
+  // What is made equal to other edges takes no joints for what lies across.
+  void hold(const std::vector<FourSides>& mapped, const std::vector<EdgePair>& periodic) {
+    held_ = given_;
+    for (const EdgePair& pair : periodic) held_[pair.given.index()] = held_[pair.found.index()] = 1;
+    for (const FourSides& face : mapped) {
+      for (const auto& side : face.sides) {
+        for (const CoEdge& coedge : side) held_[coedge.edge.index()] = 1;
+      }
+    }
+  }
+
   // On all faces but those that are strips as a whole.
   void find_facing(std::vector<std::vector<double>>& joints) {
     if (model_.triangular()) return;
     std::vector<char> wanted(meshed_.begin(), meshed_.end());
     for (const FourSides& strip : strips_) wanted[strip.face.index()] = 0;
-    FacingEdges facing(context_, evaluator_, sizes_, limits_.curve_angle, given_);
+    FacingEdges facing(context_, evaluator_, sizes_, limits_.curve_angle, held_);
     for (std::size_t f = 0; f < wanted.size(); ++f) {
       if (wanted[f] != 0) facing.find(FaceId(f), joints);
     }
@@ -464,6 +477,7 @@ class Discretizer {
   Stretches stretches_;
   std::vector<FourSides> strips_;
   std::vector<char> given_;  // by EdgeId: how it is cut is not ours to choose
+  std::vector<char> held_;   // the same, and those that others are made equal to
   std::vector<FacingParts> facing_parts_;
   std::optional<FacingStretches> facing_;
   JoinedEdges joined_;
@@ -479,7 +493,7 @@ Discretization discretize(const RunContext& context, Evaluator& evaluator, const
                           const std::vector<FourSides>& strips,
                           const std::vector<FourSides>& mapped,
                           const std::vector<EdgePair>& periodic) {
-  return Discretizer(context, evaluator, settings, match_ends, strips)
+  return Discretizer(context, evaluator, settings, match_ends, strips, mapped, periodic)
       .run(match_ends, mapped, periodic);
 }
 
