@@ -29,7 +29,7 @@ LayerCells layer_cells(const WallPlan& walls) {
 
 // Layers that run on along an edge (walls_run_on.h) were not asked for there.
 bool asks_for(const Settings& settings, EdgeId edge) {
-  return settings.walls_all ||
+  return settings.walls_all || settings.others == OtherEdges::kWall ||
          std::any_of(settings.walls.begin(), settings.walls.end(), [edge](const WallSpec& spec) {
            return std::find(spec.edges.begin(), spec.edges.end(), edge) != spec.edges.end();
          });

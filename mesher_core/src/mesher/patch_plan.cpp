@@ -164,7 +164,7 @@ WallPlan plan_walls(const RunContext& context, Evaluator& evaluator, const Setti
   const bool along = !settings.walls_all && settings.others == OtherEdges::kMatch;
   if (along) match_beside_walls(evaluator.model(), walls);
   override_with(settings.off_edges, EdgeCondition::kOff);
-  if (!settings.walls_all) run_walls_on(context, evaluator, settings, faces, walls);
+  if (along) run_walls_on(context, evaluator, settings, faces, walls);
   return walls;
 }
 
