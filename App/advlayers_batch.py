@@ -73,7 +73,8 @@ def _jobs():
 
 def _load_own_packages():
     """Imports advlayers from beside this script; an add-on of another version may be installed."""
-    for folder in (_CORE, _FOLDER):
+    own_core = _has_core()
+    for folder in (_CORE, _FOLDER) if own_core else (_FOLDER,):
         if folder in sys.path:
             sys.path.remove(folder)
         sys.path.insert(0, folder)
@@ -86,10 +87,21 @@ def _load_own_packages():
     except ModuleNotFoundError as error:
         raise _Refused(f"the Python package {error.name} is missing") from error
     try:
-        _check_origin("advlayers_core", core_access.load_core(), _CORE)
+        core = core_access.load_core()
+        if own_core:
+            _check_origin("advlayers_core", core, _CORE)
     except CoreMissing as error:
         raise _Refused(str(error)) from error
     return job, job_run
+
+
+def _has_core() -> bool:
+    """Whether a core was built here, or a wheel of it put here; else Python's own is taken."""
+    try:
+        return any(name.startswith("_core.") and not name.endswith(".pyi")
+                   for name in os.listdir(os.path.join(_CORE, "advlayers_core")))
+    except FileNotFoundError:
+        return False
 
 
 def _check_origin(name: str, module, folder: str) -> None:

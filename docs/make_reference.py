@@ -42,6 +42,7 @@ _VALUES = {
     "extrude": "object, see below",
     "volume": "object, see below",
     "words": "object: name to word",
+    "values": "object of names and numbers or texts",
     "groups": "object: name to list of names",
     "flag": "true or false",
     "text": "text",

@@ -8,9 +8,10 @@ from __future__ import annotations
 import os
 import re
 from dataclasses import dataclass
-from typing import Any, Optional, Tuple
+from types import MappingProxyType
+from typing import Any, Mapping, Optional, Tuple
 
-from advlayers import child, document_file
+from advlayers import child, document_file, document_values
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.freecad_versions import global_placement
@@ -52,9 +53,9 @@ def check_readable(path: str, freecad: bool) -> None:
 
 
 def read(core, path: str, wanted: Optional[str], sew_tolerance: float = 0.0,
-         context: Any = None) -> Cad:
-    """Reads the file, and sews what it holds where the tolerance [mm] is not 0. Raises InputError
-    naming it."""
+         context: Any = None, parameters: Mapping[str, Any] = MappingProxyType({})) -> Cad:
+    """Reads the file, gives a document the parameters, and sews what it holds where the tolerance
+    [mm] is not 0. Raises InputError naming it."""
     ending = os.path.splitext(path)[1].lower()
     if wanted is not None and ending != _DOCUMENT:
         raise InputError("object", "is for FCStd files only, got {}", repr(wanted))
@@ -63,7 +64,7 @@ def read(core, path: str, wanted: Optional[str], sew_tolerance: float = 0.0,
         if ending == _DOCUMENT:
             text, label, note = child.call(
                 "input", path, os.path.getsize(path), _read_document, path, wanted,
-                sew_tolerance)
+                sew_tolerance, dict(parameters))
         else:
             text = core.brep_of_file(path, sew_tolerance, context)
         return Cad(core.read_brep(text, sew_tolerance, context), text, label, note)
@@ -77,21 +78,22 @@ def global_shape(document_object):
     """The object's shape where it stands in the document, with the placements of its parents."""
     import Part
 
-    shape = Part.getShape(document_object)  # ours to place; the geometry is the document's
+    shape = Part.getShape(document_object).copy()
     placement = global_placement(document_object)
     if placement is not None:
         shape.Placement = placement
     return shape
 
 
-def _read_document(path: str, wanted: Optional[str],
-                   sew_tolerance: float) -> Tuple[str, str, str]:
+def _read_document(path: str, wanted: Optional[str], sew_tolerance: float,
+                   parameters: Mapping[str, Any]) -> Tuple[str, str, str]:
     """BREP text, label and note; the text has made a model."""
     import FreeCAD
 
     document_file.check(path)
     document = FreeCAD.openDocument(path, True)
     try:
+        document_values.set_values(document, parameters)
         chosen, note = _choose(document, wanted, path)
         shape = global_shape(chosen)
         if shape.isNull() or not shape.Faces:

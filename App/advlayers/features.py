@@ -48,15 +48,14 @@ def _lists(settings: Mapping[str, Any]) -> Iterable[Tuple[str, Iterable[str]]]:
 def _edges(key: str, names: Iterable[str], model) -> Tuple[str, ...]:
     edges: List[str] = []
     for name in names:
-        found = find(name, model) if is_feature(name) else [name]
+        found = _find(name, model) if is_feature(name) else [name]
         if not found:
             raise InputError(key, "finds no edge for {}", repr(name))
         edges += found
     return tuple(dict.fromkeys(edges))
 
 
-def find(name: str, model) -> List[str]:
-    """The edges of the core's model that a feature stands for."""
+def _find(name: str, model) -> List[str]:
     holes, least, most, _sharp, angle = PATTERN.fullmatch(name).groups()
     if holes:
         low, high = (float(least), float(most)) if least else (0.0, float("inf"))

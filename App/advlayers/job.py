@@ -4,10 +4,11 @@ from __future__ import annotations
 import json
 import os
 import sys
-from dataclasses import dataclass
-from typing import Any, Dict, Optional, Tuple
+from dataclasses import dataclass, field
+from typing import Any, Dict, Mapping, Optional, Tuple
 
-from advlayers import cad_input, export, faceted, flow_height, initial_mesh, presets
+from advlayers import (
+    cad_input, document_values, export, faceted, flow_height, initial_mesh, presets)
 from advlayers.errors import InputError
 from advlayers.extrusion import Extrusion, of_settings
 from advlayers.formats import polymesh
@@ -27,6 +28,8 @@ class Job:
     outputs: Tuple[str, ...]
     report: Optional[str]
     strict: bool
+    parameters: Mapping[str, Any] = field(default_factory=dict)  # of the document
+    picture: Optional[str] = None
     extrude: Optional[Extrusion] = None
     volume: Optional[Dict[str, Any]] = None  # the checked block
 
@@ -57,6 +60,8 @@ def read_job(path: str) -> Job:
         outputs=tuple(os.path.normpath(os.path.join(folder, out)) for out in values["outputs"]),
         report=values["report"] and os.path.normpath(os.path.join(folder, values["report"])),
         strict=values["strict"],
+        parameters=values["parameters"],
+        picture=values["picture"] and os.path.normpath(os.path.join(folder, values["picture"])),
         extrude=values["extrude"] and of_settings(values["extrude"]),
         volume=values["volume"],
     )
@@ -109,14 +114,16 @@ def _check_files(job: Job, job_path: str) -> None:
     initial = job.settings[initial_mesh.KEY]
     if initial is not None:
         initial_mesh.check_readable(initial, in_freecad())
-    if not job.outputs and not job.report:
+    if job.parameters and not job.input.lower().endswith(".fcstd"):
+        raise InputError(document_values.KEY, "is for FCStd files only, got {}", job.input_name)
+    if not job.outputs and not job.report and not job.picture:
         raise InputError("outputs", "names no file, and there is no report: nothing to do")
     taken = {os.path.realpath(job.input): "the input", os.path.realpath(job_path): "the job file"}
     if initial is not None:
         taken[os.path.realpath(initial)] = "the initial mesh"
     targets = [(f"outputs[{i}]", path) for i, path in enumerate(job.outputs)]
-    if job.report:
-        targets.append(("report", job.report))
+    targets += [(key, path) for key, path in (("report", job.report), ("picture", job.picture))
+                if path]
     for key, path in targets[:len(job.outputs)]:
         export.check_format(key, path, in_freecad())
         export.check_carries(key, path, job.asked)
@@ -129,9 +136,9 @@ def _check_files(job: Job, job_path: str) -> None:
             raise InputError(key, "would overwrite {}: {}", taken[real], path)
         taken[real] = key
         _check_target(key, path)
-    if job.report and (not job.report.lower().endswith(".json") or os.path.islink(job.report)):
-        raise InputError("report", "must be a file of its own that ends in .json, got {}",
-                         job.report)
+    for key, path, ending in (("report", job.report, ".json"), ("picture", job.picture, ".png")):
+        if path and (not path.lower().endswith(ending) or os.path.islink(path)):
+            raise InputError(key, "must be a file of its own that ends in {}, got {}", ending, path)
 
 
 def _groups_written(job: Job) -> Dict[str, Any]:

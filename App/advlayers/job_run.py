@@ -9,7 +9,8 @@ from typing import Any, Callable, Dict, List, Optional
 
 import numpy as np
 
-from advlayers import cad_input, export, features, flow_height, initial_mesh, limits
+from advlayers import (
+    cad_input, export, features, flow_height, initial_mesh, limits, picture)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.formats import mesh_parts
@@ -33,7 +34,8 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     context = core.RunContext()
     begin = time.perf_counter()
     watch("read", [])
-    cad = cad_input.read(core, job.input, job.object, job.settings["sew_tolerance"], context)
+    cad = cad_input.read(core, job.input, job.object, job.settings["sew_tolerance"], context,
+                         job.parameters)
     found = features.expanded(job.settings, cad.model)
     job = replace(job, settings=found)
     check_names(found, cad.model.face_count, cad.model.edge_count, job.input_name)
@@ -69,6 +71,8 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
             seconds["write"] = time.perf_counter() - start
             seconds["total"] = time.perf_counter() - begin
             report = _report(job, cad, mesh, made, seconds)
+            if job.picture:
+                outputs.write(job.picture, lambda temporary: picture.write(temporary, made.parts))
             if job.report:
                 outputs.write(job.report, lambda temporary: _write_json(temporary, report))
             outputs.publish()

@@ -248,6 +248,17 @@ def _words(key: str, value: Any, entry: Setting) -> Dict[str, str]:
     return {name: _text(f"{key}.{name}", word, entry) for name, word in value.items()}
 
 
+def _values(key: str, value: Any, entry: Setting) -> Dict[str, Any]:
+    if not isinstance(value, dict):
+        raise InputError(key, "must be an object of names and values, got {}", _shown(value))
+    for name, item in value.items():
+        if "." not in name.strip("."):
+            raise InputError(f"{key}.{name}", "is no name like {}", '"Spreadsheet.chord"')
+        if not isinstance(item, (int, float, str)):
+            raise InputError(f"{key}.{name}", "must be a number or a text, got {}", _shown(item))
+    return dict(value)
+
+
 def _point(key: str, value: Any, entry: Setting) -> Tuple[float, ...]:
     if not isinstance(value, (list, tuple)) or len(value) != 3:
         raise InputError(key, "must be three numbers, got {}", _shown(value))
@@ -277,4 +288,5 @@ CHECKS: Dict[str, Callable[[str, Any, Setting], Any]] = {
     "walls": _walls, "groups": _groups,
     "sizes": _sizes, "refinements": _refinements, "point": _point, "y_plus": _y_plus,
     "extrude": _extrude, "volume": _volume, "words": _words,
+    "values": _values,
 }

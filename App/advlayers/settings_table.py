@@ -138,7 +138,13 @@ JOB_SETTINGS = (
         "Name or label of the object to mesh in an FCStd file. Default: the only top-level shape, "
         "of several the one with most faces.",
     ),
+    Setting(
+        "parameters", "values", {},
+        "Values that an FCStd file is given before its shape is taken: cells of spreadsheets by "
+        "alias, constraints of sketches by name, and properties, as OBJECT.NAME.",
+    ),
     Setting("outputs", "paths", (), "The files to write; the ending says the format."),
+    Setting("picture", "path", None, "The file to draw a picture of the mesh to, as PNG."),
     Setting(
         "extrude", "extrude", None,
         "Makes a plane mesh solid: hexahedra and prisms, with patches named after edges and their "

@@ -70,7 +70,14 @@ def _text(path: str) -> None:
         raise _cut_off(path, "its last line has no end")
 
 
+def _png(path: str) -> None:
+    with open(path, "rb") as file:
+        file.seek(max(0, os.path.getsize(path) - 12))
+        if file.read()[4:8] != b"IEND":
+            raise _cut_off(path, "its end is missing")
+
+
 _CHECKS: Dict[str, Callable[[str], None]] = {
-    ".fcstd": _zip, ".med": _hdf, ".cgns": _hdf,
+    ".fcstd": _zip, ".med": _hdf, ".cgns": _hdf, ".png": _png,
     **{ending: _text for ending in (*_LAST_LINES, *_TEXTS)},
 }

@@ -233,21 +233,10 @@
     </message>
 </context>
 <context>
-    <name>AdvLayers_Help</name>
-    <message>
-        <source>Help on Advancing Layers</source>
-        <translation>Hilfe zu Advancing Layers</translation>
-    </message>
-    <message>
-        <source>Opens the manual: first steps, every setting, the method</source>
-        <translation>Öffnet das Handbuch: erste Schritte, jede Einstellung, das Verfahren</translation>
-    </message>
-</context>
-<context>
     <name>AdvLayers_LayerMesh</name>
     <message>
-        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges, or along the selected ones</source>
-        <translation>Erstellt ein Flächennetz vorwiegend aus Vierecken für die ausgewählte Form oder Flächen, mit Schichten an ihren Kanten oder an den ausgewählten</translation>
+        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges</source>
+        <translation>Erzeugt ein Oberflächennetz, vorwiegend aus Vierecken, der gewählten Form oder Flächen, mit Schichten entlang ihrer Kanten</translation>
     </message>
     <message>
         <source>Layer Mesh…</source>
@@ -327,8 +316,8 @@
         <translation>&gt; {} mm, {} der Diagonale der Form</translation>
     </message>
     <message>
-        <source>A click shows the place; another one on the same line the next</source>
-        <translation>Ein Klick zeigt die Stelle, ein weiterer auf dieselbe Zeile die nächste</translation>
+        <source>A click shows the place</source>
+        <translation>Ein Klick zeigt die Stelle</translation>
     </message>
     <message>
         <source>A click shows where layers end too early, or where the first height is most off</source>
@@ -337,10 +326,6 @@
     <message>
         <source>A named group of the selected faces and edges</source>
         <translation>Eine benannte Gruppe der gewählten Flächen und Kanten</translation>
-    </message>
-    <message>
-        <source>A range of the colours other than that of the field</source>
-        <translation>Ein anderer Bereich der Farben als der des Feldes</translation>
     </message>
     <message>
         <source>A size of their own for the selected faces, edges and vertices</source>
@@ -359,32 +344,12 @@
         <translation>Erweitert</translation>
     </message>
     <message>
-        <source>All holes</source>
-        <translation>Alle Löcher</translation>
-    </message>
-    <message>
-        <source>All that are not selected</source>
-        <translation>Alles, was nicht ausgewählt ist</translation>
-    </message>
-    <message>
-        <source>Always</source>
-        <translation>Immer</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
         <source>Angles from</source>
         <translation>Winkel von</translation>
-    </message>
-    <message>
-        <source>Arcs with the radius of the selected ones</source>
-        <translation>Bögen mit dem Radius der ausgewählten</translation>
-    </message>
-    <message>
-        <source>As usual</source>
-        <translation>Wie üblich</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -403,20 +368,12 @@
         <translation>Rückseite</translation>
     </message>
     <message>
-        <source>Beside other meshers</source>
-        <translation>Neben anderen Vernetzern</translation>
-    </message>
-    <message>
         <source>Both ends</source>
         <translation>Beide Enden</translation>
     </message>
     <message>
         <source>Boundary</source>
         <translation>Rand</translation>
-    </message>
-    <message>
-        <source>By group</source>
-        <translation>Nach Gruppe</translation>
     </message>
     <message>
         <source>CFD: layers from all sharp edges</source>
@@ -443,20 +400,12 @@
         <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
     </message>
     <message>
-        <source>Closes, and leaves everything as it was before</source>
-        <translation>Schließt und lässt alles, wie es vorher war</translation>
-    </message>
-    <message>
         <source>Cluster</source>
         <translation>Verdichtung</translation>
     </message>
     <message>
         <source>Colour by</source>
         <translation>Einfärben nach</translation>
-    </message>
-    <message>
-        <source>Colours from</source>
-        <translation>Farben von</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -475,10 +424,6 @@
         <translation>Krümmungswinkel</translation>
     </message>
     <message>
-        <source>Cut across</source>
-        <translation>Schnitt quer zu</translation>
-    </message>
-    <message>
         <source>Cutting the edges</source>
         <translation>Die Kanten werden geteilt</translation>
     </message>
@@ -495,10 +440,6 @@
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
         <source>Distribution</source>
         <translation>Verteilung</translation>
     </message>
@@ -509,10 +450,6 @@
     <message>
         <source>Edges</source>
         <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>Edges as long as the selected ones</source>
-        <translation>Kanten so lang wie die ausgewählten</translation>
     </message>
     <message>
         <source>Edit</source>
@@ -527,10 +464,6 @@
         <translation>Wand, Größe oder Gruppe bearbeiten</translation>
     </message>
     <message>
-        <source>Element edges</source>
-        <translation>Elementkanten</translation>
-    </message>
-    <message>
         <source>End</source>
         <translation>Ende</translation>
     </message>
@@ -541,10 +474,6 @@
     <message>
         <source>Ended by</source>
         <translation>Beendet durch</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Export Mesh</source>
@@ -595,16 +524,8 @@
         <translation>Erste Höhe aus y+</translation>
     </message>
     <message>
-        <source>First height {} is above the size {}: it may be {} at most</source>
-        <translation>Die erste Höhe {} liegt über der Größe {}: sie darf höchstens {} sein</translation>
-    </message>
-    <message>
         <source>First segment</source>
         <translation>Erster Abschnitt</translation>
-    </message>
-    <message>
-        <source>First steps</source>
-        <translation>Erste Schritte</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -613,10 +534,6 @@
     <message>
         <source>Fluid</source>
         <translation>Fluid</translation>
-    </message>
-    <message>
-        <source>Follow References</source>
-        <translation>Referenzen nachführen</translation>
     </message>
     <message>
         <source>FreeCAD document</source>
@@ -631,10 +548,6 @@
         <translation>Netz</translation>
     </message>
     <message>
-        <source>Give one of first height, aspect ratio and turning angle, not several</source>
-        <translation>Nur eines von erster Höhe, Seitenverhältnis und Drehwinkel angeben</translation>
-    </message>
-    <message>
         <source>Gmsh</source>
         <translation>Gmsh</translation>
     </message>
@@ -645,10 +558,6 @@
     <message>
         <source>Gmsh cannot fill the mesh: {}</source>
         <translation>Gmsh kann das Netz nicht füllen: {}</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weitermachen</translation>
     </message>
     <message>
         <source>Group</source>
@@ -679,32 +588,12 @@
         <translation>Ist-Höhe</translation>
     </message>
     <message>
-        <source>Help on Advancing Layers</source>
-        <translation>Hilfe zu Advancing Layers</translation>
-    </message>
-    <message>
-        <source>Hides what lies beyond a plane across this axis</source>
-        <translation>Verbirgt, was jenseits einer Ebene quer zu dieser Achse liegt</translation>
-    </message>
-    <message>
-        <source>Holes by diameter</source>
-        <translation>Löcher nach Durchmesser</translation>
-    </message>
-    <message>
-        <source>How the colours are spread over their range; logarithmic needs numbers above 0</source>
-        <translation>Wie die Farben über ihren Bereich verteilt sind; logarithmisch braucht Zahlen über 0</translation>
-    </message>
-    <message>
         <source>I-DEAS universal</source>
         <translation>I-DEAS Universal</translation>
     </message>
     <message>
         <source>Initial mesh</source>
         <translation>Ausgangsnetz</translation>
-    </message>
-    <message>
-        <source>Inner loops of the selected faces, or of all</source>
-        <translation>Innere Ränder der ausgewählten Flächen, oder aller</translation>
     </message>
     <message>
         <source>Inp elements</source>
@@ -717,18 +606,6 @@
     <message>
         <source>Inverted</source>
         <translation>Invertiert</translation>
-    </message>
-    <message>
-        <source>It is the mesh of {}.</source>
-        <translation>Es ist das Netz von {}.</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Keeps the settings, and a mesh that is finished, and closes</source>
-        <translation>Behält die Einstellungen und ein fertiges Netz und schließt</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -771,16 +648,8 @@
         <translation>Schichten laufen an den gewählten Kanten entlang</translation>
     </message>
     <message>
-        <source>Leaves the panel open</source>
-        <translation>Lässt das Fenster offen</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>Länge</translation>
-    </message>
-    <message>
-        <source>Logarithmic</source>
-        <translation>Logarithmisch</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -819,20 +688,8 @@
         <translation>Vernetzen</translation>
     </message>
     <message>
-        <source>Mesh later</source>
-        <translation>Später vernetzen</translation>
-    </message>
-    <message>
-        <source>Meshes what is out of date, puts the mesh into the document and closes</source>
-        <translation>Vernetzt, was veraltet ist, legt das Netz im Dokument ab und schließt</translation>
-    </message>
-    <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Vernetzt mit den Einstellungen unten; OK übernimmt das Netz danach ins Dokument</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Verfahren</translation>
     </message>
     <message>
         <source>Min size</source>
@@ -855,10 +712,6 @@
         <translation>Nastran</translation>
     </message>
     <message>
-        <source>Near</source>
-        <translation>Nah</translation>
-    </message>
-    <message>
         <source>Neither Gmsh nor Netgen is installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
         <translation>Weder Gmsh noch Netgen ist installiert: das Paket gmsh installieren oder FreeCAD unter Bearbeiten &gt; Einstellungen &gt; FEM &gt; Gmsh sagen, wo es liegt</translation>
     </message>
@@ -871,16 +724,8 @@
         <translation>Netgen kann Vierecke nicht behalten: Gmsh installieren oder sie teilen</translation>
     </message>
     <message>
-        <source>Never</source>
-        <translation>Nie</translation>
-    </message>
-    <message>
         <source>No layers at the selected edges</source>
         <translation>Keine Schichten an den gewählten Kanten</translation>
-    </message>
-    <message>
-        <source>No walls yet: with Layers from all edges, layers grow from every edge. Select edges in the 3D view and press + Wall for values of their own, + Size for finer places, + Group for boundary conditions.</source>
-        <translation>Noch keine Wände: mit Schichten von allen Kanten wachsen Schichten von jeder Kante. Kanten in der 3D-Ansicht auswählen und + Wand für eigene Werte drücken, + Größe für feinere Stellen, + Gruppe für Randbedingungen.</translation>
     </message>
     <message>
         <source>Nodes</source>
@@ -889,10 +734,6 @@
     <message>
         <source>Not meshed</source>
         <translation>Nicht vernetzt</translation>
-    </message>
-    <message>
-        <source>Nowhere</source>
-        <translation>Nirgends</translation>
     </message>
     <message>
         <source>Number</source>
@@ -943,6 +784,10 @@
         <translation>Ausgaben</translation>
     </message>
     <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
         <source>Part of {} is empty: there is nothing to mesh</source>
         <translation>Part von {} ist leer: Es gibt nichts zu vernetzen</translation>
     </message>
@@ -957,6 +802,10 @@
     <message>
         <source>Periodic</source>
         <translation>Periodisch</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Point</source>
@@ -977,14 +826,6 @@
     <message>
         <source>Program</source>
         <translation>Programm</translation>
-    </message>
-    <message>
-        <source>Puts what is there into the document and closes</source>
-        <translation>Legt im Dokument ab, was da ist, und schließt</translation>
-    </message>
-    <message>
-        <source>Python</source>
-        <translation>Python</translation>
     </message>
     <message>
         <source>Quads</source>
@@ -1051,16 +892,8 @@
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>See through</source>
-        <translation>Durchsehen</translation>
-    </message>
-    <message>
         <source>Segments</source>
         <translation>Abschnitte</translation>
-    </message>
-    <message>
-        <source>Select</source>
-        <translation>Auswählen</translation>
     </message>
     <message>
         <source>Select faces and edges in the 3D view.</source>
@@ -1103,10 +936,6 @@
         <translation>Wählt alle Kanten der gewählten Flächen</translation>
     </message>
     <message>
-        <source>Selects holes, sharp edges, similar edges, groups</source>
-        <translation>Wählt Löcher, scharfe Kanten, ähnliche Kanten, Gruppen</translation>
-    </message>
-    <message>
         <source>Selects the edges that go on from the selected ones without a corner</source>
         <translation>Wählt die Kanten, die die gewählten ohne Ecke fortsetzen</translation>
     </message>
@@ -1115,20 +944,8 @@
         <translation>Wählt den ganzen Ring der gewählten Kanten; ist auch eine Fläche gewählt, den auf der Fläche</translation>
     </message>
     <message>
-        <source>Settings</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
         <source>Sew tolerance</source>
         <translation>Nähtoleranz</translation>
-    </message>
-    <message>
-        <source>Sharp edges</source>
-        <translation>Scharfe Kanten</translation>
-    </message>
-    <message>
-        <source>Shows what is behind the faces</source>
-        <translation>Zeigt, was hinter den Flächen ist</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1145,10 +962,6 @@
     <message>
         <source>Smooth</source>
         <translation>Glatt</translation>
-    </message>
-    <message>
-        <source>Solvers and file formats</source>
-        <translation>Löser und Dateiformate</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -1183,36 +996,16 @@
         <translation>Tangential</translation>
     </message>
     <message>
-        <source>The changes made here are not kept yet.</source>
-        <translation>Die Änderungen von hier sind noch nicht übernommen.</translation>
-    </message>
-    <message>
-        <source>The finished mesh is not in the document yet.</source>
-        <translation>Das fertige Netz ist noch nicht im Dokument.</translation>
-    </message>
-    <message>
         <source>The mesh is out of date: settings or model have changed.</source>
         <translation>Das Netz ist veraltet: Einstellungen oder Modell haben sich geändert.</translation>
-    </message>
-    <message>
-        <source>The mesher is still at work.</source>
-        <translation>Der Vernetzer arbeitet noch.</translation>
     </message>
     <message>
         <source>The selected edges bound their faces, however smoothly these meet</source>
         <translation>Die gewählten Kanten begrenzen ihre Flächen, wie glatt diese auch aneinander stoßen</translation>
     </message>
     <message>
-        <source>The shape is in error: mend it first</source>
-        <translation>Die Form ist fehlerhaft: erst beheben</translation>
-    </message>
-    <message>
         <source>There is no mesh yet.</source>
         <translation>Es gibt noch kein Netz.</translation>
-    </message>
-    <message>
-        <source>There is no mesh yet: press Mesh.</source>
-        <translation>Es gibt noch kein Netz: Vernetzen drücken.</translation>
     </message>
     <message>
         <source>There is nothing to complain of.</source>
@@ -1225,10 +1018,6 @@
     <message>
         <source>Thickness share</source>
         <translation>Dickenanteil</translation>
-    </message>
-    <message>
-        <source>Thickness {} is below the first height {}: {} is the least</source>
-        <translation>Die Dicke {} liegt unter der ersten Höhe {}: {} ist das Mindeste</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -1263,10 +1052,6 @@
         <translation>UGRID, Little-Endian</translation>
     </message>
     <message>
-        <source>Undo would take back all of this panel.</source>
-        <translation>Rückgängig nähme alles aus diesem Fenster zurück.</translation>
-    </message>
-    <message>
         <source>Until isotropic</source>
         <translation>Bis isotrop</translation>
     </message>
@@ -1299,10 +1084,6 @@
         <translation>Werte</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
         <source>Viscosity</source>
         <translation>Viskosität</translation>
     </message>
@@ -1327,16 +1108,8 @@
         <translation>Wavefront</translation>
     </message>
     <message>
-        <source>What is checked</source>
-        <translation>Was geprüft wird</translation>
-    </message>
-    <message>
         <source>What the colours of the elements in the 3D view stand for</source>
         <translation>Wofür die Farben der Elemente in der 3D-Ansicht stehen</translation>
-    </message>
-    <message>
-        <source>When the edges of the elements are drawn; near: where they are far enough apart</source>
-        <translation>Wann die Kanten der Elemente gezeichnet werden; nah: wo sie weit genug auseinander liegen</translation>
     </message>
     <message>
         <source>Y plus</source>
@@ -1403,6 +1176,10 @@
         <translation>Beide Enden braucht eine Verdichtung</translation>
     </message>
     <message>
+        <source>cannot be installed: {}</source>
+        <translation>lässt sich nicht einrichten: {}</translation>
+    </message>
+    <message>
         <source>cannot be kept: one is {} times as long as high, and {} is the most; split them, or raise first_height</source>
         <translation>lassen sich nicht behalten: eines ist {}-mal so lang wie hoch, und {} ist das Höchste; teilen oder die erste Höhe vergrößern</translation>
     </message>
@@ -1429,6 +1206,10 @@
     <message>
         <source>cannot be read: {}: {}</source>
         <translation>lässt sich nicht lesen: {}: {}</translation>
+    </message>
+    <message>
+        <source>cannot be set to {}: {}</source>
+        <translation>lässt sich nicht auf {} setzen: {}</translation>
     </message>
     <message>
         <source>cannot be used: {}: {}</source>
@@ -1499,8 +1280,16 @@
         <translation>erste Höhe {} mm (Reynolds-Zahl {}); die Grenzschicht ist etwa {} mm dick: {} Schichten mit Wachstum {}</translation>
     </message>
     <message>
+        <source>for Python {} and version {} is not there: {}</source>
+        <translation>für Python {} und Version {} gibt es nicht: {}</translation>
+    </message>
+    <message>
         <source>geometric</source>
         <translation>geometrisch</translation>
+    </message>
+    <message>
+        <source>give a model in which {} fails</source>
+        <translation>ergeben ein Modell, in dem {} fehlschlägt</translation>
     </message>
     <message>
         <source>goes with axis_direction only</source>
@@ -1599,8 +1388,20 @@
         <translation>ist doppelt angegeben</translation>
     </message>
     <message>
+        <source>is larger than any of the core: {}</source>
+        <translation>ist größer als jede Datei des Kerns: {}</translation>
+    </message>
+    <message>
         <source>is missing</source>
         <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is neither cell, constraint nor property of {}</source>
+        <translation>ist weder Zelle, Einschränkung noch Eigenschaft von {}</translation>
+    </message>
+    <message>
+        <source>is neither file nor folder: {}</source>
+        <translation>ist weder Datei noch Ordner: {}</translation>
     </message>
     <message>
         <source>is no FreeCAD document: it lacks {}: {}</source>
@@ -1617,6 +1418,10 @@
     <message>
         <source>is no known key (did you mean {}?)</source>
         <translation>ist kein bekannter Schlüssel (war {} gemeint?)</translation>
+    </message>
+    <message>
+        <source>is no name like {}</source>
+        <translation>ist kein Name wie {}</translation>
     </message>
     <message>
         <source>is no regular file: {}</source>
@@ -1827,8 +1632,8 @@
         <translation>muss mit extrude 1 sein, nicht 2</translation>
     </message>
     <message>
-        <source>must be a file of its own that ends in .json, got {}</source>
-        <translation>muss eine eigene Datei sein, die auf .json endet, ist aber {}</translation>
+        <source>must be a file of its own that ends in {}, got {}</source>
+        <translation>muss eine eigene Datei sein, die auf {} endet, ist aber {}</translation>
     </message>
     <message>
         <source>must be a finite number, got {}</source>
@@ -1849,6 +1654,10 @@
     <message>
         <source>must be a mesh object, got {}</source>
         <translation>verlangt ist ein Netzobjekt, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be a number or a text, got {}</source>
+        <translation>muss eine Zahl oder ein Text sein, ist aber {}</translation>
     </message>
     <message>
         <source>must be a number {}, got {}</source>
@@ -1873,6 +1682,10 @@
     <message>
         <source>must be an object of names and lists, got {}</source>
         <translation>verlangt ist ein Objekt aus Namen und Listen, angegeben {}</translation>
+    </message>
+    <message>
+        <source>must be an object of names and values, got {}</source>
+        <translation>muss ein Objekt aus Namen und Werten sein, ist aber {}</translation>
     </message>
     <message>
         <source>must be an object of names and words, got {}</source>
@@ -1937,6 +1750,10 @@
     <message>
         <source>names no file, and there is no report: nothing to do</source>
         <translation>keine Datei genannt, und kein Bericht: nichts zu tun</translation>
+    </message>
+    <message>
+        <source>names no object of the document, or several</source>
+        <translation>nennt kein Objekt des Dokuments oder mehrere</translation>
     </message>
     <message>
         <source>names {} of {}, which is no part of {}</source>
@@ -2165,6 +1982,10 @@
     <message>
         <source>the meshing core is not built for this FreeCAD (Python {}): run "./dev build" in {} and start FreeCAD again ({})</source>
         <translation>Der Netzkern ist für dieses FreeCAD (Python {}) nicht gebaut: Rufen Sie "./dev build" in {} auf und starten Sie FreeCAD neu ({})</translation>
+    </message>
+    <message>
+        <source>the meshing core is of version {}, but this add-on needs {}: install the core of the same version ({})</source>
+        <translation>der Vernetzungskern hat die Version {}, diese Erweiterung braucht aber {}: bitte den Kern derselben Version einrichten ({})</translation>
     </message>
     <message>
         <source>the model has changed under the references: {}. Pick them again, or use Follow References or Accept References</source>
@@ -2399,20 +2220,16 @@
         <translation>{} hat keinen Wert für die Elementgröße: Geben Sie einen an für die Umgebung von {}</translation>
     </message>
     <message>
-        <source>{} has none of these</source>
-        <translation>{} hat nichts davon</translation>
-    </message>
-    <message>
-        <source>{} has the sizes of {}, {} walls, {} local sizes and {} groups.</source>
-        <translation>{} hat die Größen von {}, {} Wände, {} örtliche Größen und {} Gruppen.</translation>
-    </message>
-    <message>
-        <source>{} has {} cells inside {}.</source>
-        <translation>{} hat {} Zellen in {}.</translation>
-    </message>
-    <message>
         <source>{} is called {} now</source>
         <translation>{} heißt jetzt {}</translation>
+    </message>
+    <message>
+        <source>{} is damaged: {}</source>
+        <translation>{} ist beschädigt: {}</translation>
+    </message>
+    <message>
+        <source>{} is damaged: {} is not as its list says</source>
+        <translation>{} ist beschädigt: {} ist nicht, wie die eigene Liste sagt</translation>
     </message>
     <message>
         <source>{} is gone from the model</source>
@@ -2421,14 +2238,6 @@
     <message>
         <source>{} is in both {} and {}</source>
         <translation>{} steht sowohl unter {} als auch unter {}</translation>
-    </message>
-    <message>
-        <source>{} is in error, and its shape may be an older one: mend it first</source>
-        <translation>{} ist fehlerhaft, und die Form ist vielleicht eine ältere: erst beheben</translation>
-    </message>
-    <message>
-        <source>{} is in error: the mesh cannot be updated before it is mended.</source>
-        <translation>{} ist fehlerhaft: das Netz kann nicht aktualisiert werden, bevor das behoben ist.</translation>
     </message>
     <message>
         <source>{} is narrower than the tolerance of its edges: it holds no element, and its neighbours meet there</source>
@@ -2473,6 +2282,10 @@
     <message>
         <source>{} is not there any more</source>
         <translation>{} gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>{} is not what its sum says: {} instead of {}</source>
+        <translation>{} ist nicht, was die Prüfsumme sagt: {} statt {}</translation>
     </message>
     <message>
         <source>{} is not what was picked</source>
@@ -2553,10 +2366,6 @@
     <message>
         <source>{} shape</source>
         <translation>{} Form</translation>
-    </message>
-    <message>
-        <source>{} times, the worst: {}</source>
-        <translation>{}-mal, am schlimmsten: {}</translation>
     </message>
     <message>
         <source>{} volume</source>
@@ -2681,10 +2490,6 @@
     <message>
         <source>{}: the mesh of this step is not kept any more: update it.</source>
         <translation>{}: Das Netz dieses Schritts ist nicht mehr aufbewahrt: aktualisieren Sie es.</translation>
-    </message>
-    <message>
-        <source>{}: the panel was closed from outside; its finished mesh was kept.</source>
-        <translation>{}: das Fenster wurde von außen geschlossen; sein fertiges Netz wurde behalten.</translation>
     </message>
     <message>
         <source>{}: the {} file is damaged: its reader crashes on it ({})</source>

@@ -233,21 +233,10 @@
     </message>
 </context>
 <context>
-    <name>AdvLayers_Help</name>
-    <message>
-        <source>Help on Advancing Layers</source>
-        <translation>Aide sur Advancing Layers</translation>
-    </message>
-    <message>
-        <source>Opens the manual: first steps, every setting, the method</source>
-        <translation>Ouvre le manuel : premiers pas, chaque réglage, la méthode</translation>
-    </message>
-</context>
-<context>
     <name>AdvLayers_LayerMesh</name>
     <message>
-        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges, or along the selected ones</source>
-        <translation>Crée un maillage surfacique surtout en quadrilatères de la forme ou des faces sélectionnées, avec des couches le long de ses arêtes ou de celles sélectionnées</translation>
+        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges</source>
+        <translation>Crée un maillage surfacique, surtout de quadrangles, de la forme ou des faces sélectionnées, avec des couches le long de ses arêtes</translation>
     </message>
     <message>
         <source>Layer Mesh…</source>
@@ -327,8 +316,8 @@
         <translation>&gt; {} mm, {} de la diagonale de la forme</translation>
     </message>
     <message>
-        <source>A click shows the place; another one on the same line the next</source>
-        <translation>Un clic montre l'endroit ; un autre sur la même ligne le suivant</translation>
+        <source>A click shows the place</source>
+        <translation>Un clic montre l'endroit</translation>
     </message>
     <message>
         <source>A click shows where layers end too early, or where the first height is most off</source>
@@ -337,10 +326,6 @@
     <message>
         <source>A named group of the selected faces and edges</source>
         <translation>Un groupe nommé des faces et arêtes sélectionnées</translation>
-    </message>
-    <message>
-        <source>A range of the colours other than that of the field</source>
-        <translation>Une autre étendue des couleurs que celle du champ</translation>
     </message>
     <message>
         <source>A size of their own for the selected faces, edges and vertices</source>
@@ -359,32 +344,12 @@
         <translation>Avancé</translation>
     </message>
     <message>
-        <source>All holes</source>
-        <translation>Tous les trous</translation>
-    </message>
-    <message>
-        <source>All that are not selected</source>
-        <translation>Tout ce qui n'est pas sélectionné</translation>
-    </message>
-    <message>
-        <source>Always</source>
-        <translation>Toujours</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Angle</translation>
     </message>
     <message>
         <source>Angles from</source>
         <translation>Angles de</translation>
-    </message>
-    <message>
-        <source>Arcs with the radius of the selected ones</source>
-        <translation>Arcs du même rayon que ceux sélectionnés</translation>
-    </message>
-    <message>
-        <source>As usual</source>
-        <translation>Comme d'habitude</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -403,20 +368,12 @@
         <translation>Arrière</translation>
     </message>
     <message>
-        <source>Beside other meshers</source>
-        <translation>À côté d'autres mailleurs</translation>
-    </message>
-    <message>
         <source>Both ends</source>
         <translation>Deux bouts</translation>
     </message>
     <message>
         <source>Boundary</source>
         <translation>Bord</translation>
-    </message>
-    <message>
-        <source>By group</source>
-        <translation>Par groupe</translation>
     </message>
     <message>
         <source>CFD: layers from all sharp edges</source>
@@ -443,20 +400,12 @@
         <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
     </message>
     <message>
-        <source>Closes, and leaves everything as it was before</source>
-        <translation>Ferme et laisse tout comme avant</translation>
-    </message>
-    <message>
         <source>Cluster</source>
         <translation>Resserrement</translation>
     </message>
     <message>
         <source>Colour by</source>
         <translation>Colorer selon</translation>
-    </message>
-    <message>
-        <source>Colours from</source>
-        <translation>Couleurs de</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -475,10 +424,6 @@
         <translation>Angle de courbure</translation>
     </message>
     <message>
-        <source>Cut across</source>
-        <translation>Coupe suivant</translation>
-    </message>
-    <message>
         <source>Cutting the edges</source>
         <translation>Découpage des arêtes</translation>
     </message>
@@ -495,10 +440,6 @@
         <translation>Direction</translation>
     </message>
     <message>
-        <source>Discard</source>
-        <translation>Abandonner</translation>
-    </message>
-    <message>
         <source>Distribution</source>
         <translation>Répartition</translation>
     </message>
@@ -509,10 +450,6 @@
     <message>
         <source>Edges</source>
         <translation>Arêtes</translation>
-    </message>
-    <message>
-        <source>Edges as long as the selected ones</source>
-        <translation>Arêtes aussi longues que celles sélectionnées</translation>
     </message>
     <message>
         <source>Edit</source>
@@ -527,10 +464,6 @@
         <translation>Modifier la paroi, la taille ou le groupe</translation>
     </message>
     <message>
-        <source>Element edges</source>
-        <translation>Arêtes des éléments</translation>
-    </message>
-    <message>
         <source>End</source>
         <translation>Fin</translation>
     </message>
@@ -541,10 +474,6 @@
     <message>
         <source>Ended by</source>
         <translation>Terminé par</translation>
-    </message>
-    <message>
-        <source>Even</source>
-        <translation>Régulière</translation>
     </message>
     <message>
         <source>Export Mesh</source>
@@ -595,16 +524,8 @@
         <translation>Première hauteur d'après y+</translation>
     </message>
     <message>
-        <source>First height {} is above the size {}: it may be {} at most</source>
-        <translation>La première hauteur {} dépasse la taille {} : elle peut être de {} au plus</translation>
-    </message>
-    <message>
         <source>First segment</source>
         <translation>Premier segment</translation>
-    </message>
-    <message>
-        <source>First steps</source>
-        <translation>Premiers pas</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -613,10 +534,6 @@
     <message>
         <source>Fluid</source>
         <translation>Fluide</translation>
-    </message>
-    <message>
-        <source>Follow References</source>
-        <translation>Suivre les références</translation>
     </message>
     <message>
         <source>FreeCAD document</source>
@@ -631,10 +548,6 @@
         <translation>Général</translation>
     </message>
     <message>
-        <source>Give one of first height, aspect ratio and turning angle, not several</source>
-        <translation>Donner une seule valeur parmi première hauteur, rapport d'aspect et angle de rotation</translation>
-    </message>
-    <message>
         <source>Gmsh</source>
         <translation>Gmsh</translation>
     </message>
@@ -645,10 +558,6 @@
     <message>
         <source>Gmsh cannot fill the mesh: {}</source>
         <translation>Gmsh ne peut pas remplir le maillage : {}</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Continuer</translation>
     </message>
     <message>
         <source>Group</source>
@@ -679,32 +588,12 @@
         <translation>Hauteur obtenue</translation>
     </message>
     <message>
-        <source>Help on Advancing Layers</source>
-        <translation>Aide sur Advancing Layers</translation>
-    </message>
-    <message>
-        <source>Hides what lies beyond a plane across this axis</source>
-        <translation>Cache ce qui est au-delà d'un plan perpendiculaire à cet axe</translation>
-    </message>
-    <message>
-        <source>Holes by diameter</source>
-        <translation>Trous par diamètre</translation>
-    </message>
-    <message>
-        <source>How the colours are spread over their range; logarithmic needs numbers above 0</source>
-        <translation>Comment les couleurs sont réparties ; logarithmique demande des nombres au-dessus de 0</translation>
-    </message>
-    <message>
         <source>I-DEAS universal</source>
         <translation>I-DEAS universel</translation>
     </message>
     <message>
         <source>Initial mesh</source>
         <translation>Maillage initial</translation>
-    </message>
-    <message>
-        <source>Inner loops of the selected faces, or of all</source>
-        <translation>Contours intérieurs des faces sélectionnées, ou de toutes</translation>
     </message>
     <message>
         <source>Inp elements</source>
@@ -717,18 +606,6 @@
     <message>
         <source>Inverted</source>
         <translation>Inversés</translation>
-    </message>
-    <message>
-        <source>It is the mesh of {}.</source>
-        <translation>C'est le maillage de {}.</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Garder</translation>
-    </message>
-    <message>
-        <source>Keeps the settings, and a mesh that is finished, and closes</source>
-        <translation>Garde les réglages et un maillage terminé, et ferme</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -771,16 +648,8 @@
         <translation>Les couches courent le long des arêtes sélectionnées</translation>
     </message>
     <message>
-        <source>Leaves the panel open</source>
-        <translation>Laisse le panneau ouvert</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>Longueur</translation>
-    </message>
-    <message>
-        <source>Logarithmic</source>
-        <translation>Logarithmique</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -819,20 +688,8 @@
         <translation>Mailler</translation>
     </message>
     <message>
-        <source>Mesh later</source>
-        <translation>Mailler plus tard</translation>
-    </message>
-    <message>
-        <source>Meshes what is out of date, puts the mesh into the document and closes</source>
-        <translation>Maille ce qui est périmé, met le maillage dans le document et ferme</translation>
-    </message>
-    <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Maille avec les réglages ci-dessous ; OK met ensuite le maillage dans le document</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Méthode</translation>
     </message>
     <message>
         <source>Min size</source>
@@ -855,10 +712,6 @@
         <translation>Nastran</translation>
     </message>
     <message>
-        <source>Near</source>
-        <translation>De près</translation>
-    </message>
-    <message>
         <source>Neither Gmsh nor Netgen is installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
         <translation>Ni Gmsh ni Netgen n'est installé : installez le paquet gmsh, ou indiquez à FreeCAD où il est sous Édition &gt; Préférences &gt; FEM &gt; Gmsh</translation>
     </message>
@@ -871,16 +724,8 @@
         <translation>Netgen ne peut pas garder les quadrangles : installez Gmsh ou coupez-les</translation>
     </message>
     <message>
-        <source>Never</source>
-        <translation>Jamais</translation>
-    </message>
-    <message>
         <source>No layers at the selected edges</source>
         <translation>Pas de couches aux arêtes sélectionnées</translation>
-    </message>
-    <message>
-        <source>No walls yet: with Layers from all edges, layers grow from every edge. Select edges in the 3D view and press + Wall for values of their own, + Size for finer places, + Group for boundary conditions.</source>
-        <translation>Pas encore de parois : avec Couches depuis toutes les arêtes, des couches poussent depuis chaque arête. Sélectionner des arêtes dans la vue 3D et presser + Paroi pour leurs propres valeurs, + Taille pour des endroits plus fins, + Groupe pour des conditions aux limites.</translation>
     </message>
     <message>
         <source>Nodes</source>
@@ -889,10 +734,6 @@
     <message>
         <source>Not meshed</source>
         <translation>Non maillé</translation>
-    </message>
-    <message>
-        <source>Nowhere</source>
-        <translation>Nulle part</translation>
     </message>
     <message>
         <source>Number</source>
@@ -943,6 +784,10 @@
         <translation>Sorties</translation>
     </message>
     <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
         <source>Part of {} is empty: there is nothing to mesh</source>
         <translation>Part de {} est vide : il n'y a rien à mailler</translation>
     </message>
@@ -957,6 +802,10 @@
     <message>
         <source>Periodic</source>
         <translation>Périodiques</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
     </message>
     <message>
         <source>Point</source>
@@ -977,14 +826,6 @@
     <message>
         <source>Program</source>
         <translation>Programme</translation>
-    </message>
-    <message>
-        <source>Puts what is there into the document and closes</source>
-        <translation>Met dans le document ce qui est là et ferme</translation>
-    </message>
-    <message>
-        <source>Python</source>
-        <translation>Python</translation>
     </message>
     <message>
         <source>Quads</source>
@@ -1051,16 +892,8 @@
         <translation>Échelle</translation>
     </message>
     <message>
-        <source>See through</source>
-        <translation>Transparence</translation>
-    </message>
-    <message>
         <source>Segments</source>
         <translation>Segments</translation>
-    </message>
-    <message>
-        <source>Select</source>
-        <translation>Sélectionner</translation>
     </message>
     <message>
         <source>Select faces and edges in the 3D view.</source>
@@ -1103,10 +936,6 @@
         <translation>Sélectionne toutes les arêtes des faces sélectionnées</translation>
     </message>
     <message>
-        <source>Selects holes, sharp edges, similar edges, groups</source>
-        <translation>Sélectionne trous, arêtes vives, arêtes semblables, groupes</translation>
-    </message>
-    <message>
         <source>Selects the edges that go on from the selected ones without a corner</source>
         <translation>Sélectionne les arêtes qui prolongent celles sélectionnées sans coin</translation>
     </message>
@@ -1115,20 +944,8 @@
         <translation>Sélectionne toute la boucle des arêtes sélectionnées ; si une face l'est aussi, celle de la face</translation>
     </message>
     <message>
-        <source>Settings</source>
-        <translation>Réglages</translation>
-    </message>
-    <message>
         <source>Sew tolerance</source>
         <translation>Tol. de couture</translation>
-    </message>
-    <message>
-        <source>Sharp edges</source>
-        <translation>Arêtes vives</translation>
-    </message>
-    <message>
-        <source>Shows what is behind the faces</source>
-        <translation>Montre ce qui est derrière les faces</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1145,10 +962,6 @@
     <message>
         <source>Smooth</source>
         <translation>Lisse</translation>
-    </message>
-    <message>
-        <source>Solvers and file formats</source>
-        <translation>Solveurs et formats de fichier</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -1183,36 +996,16 @@
         <translation>Tangente</translation>
     </message>
     <message>
-        <source>The changes made here are not kept yet.</source>
-        <translation>Les changements faits ici ne sont pas encore gardés.</translation>
-    </message>
-    <message>
-        <source>The finished mesh is not in the document yet.</source>
-        <translation>Le maillage terminé n'est pas encore dans le document.</translation>
-    </message>
-    <message>
         <source>The mesh is out of date: settings or model have changed.</source>
         <translation>Le maillage est obsolète : les réglages ou le modèle ont changé.</translation>
-    </message>
-    <message>
-        <source>The mesher is still at work.</source>
-        <translation>Le mailleur travaille encore.</translation>
     </message>
     <message>
         <source>The selected edges bound their faces, however smoothly these meet</source>
         <translation>Les arêtes sélectionnées bordent leurs faces, si lisse que soit leur raccord</translation>
     </message>
     <message>
-        <source>The shape is in error: mend it first</source>
-        <translation>La forme est en erreur : à réparer d'abord</translation>
-    </message>
-    <message>
         <source>There is no mesh yet.</source>
         <translation>Il n'y a pas encore de maillage.</translation>
-    </message>
-    <message>
-        <source>There is no mesh yet: press Mesh.</source>
-        <translation>Il n'y a pas encore de maillage : presser Mailler.</translation>
     </message>
     <message>
         <source>There is nothing to complain of.</source>
@@ -1225,10 +1018,6 @@
     <message>
         <source>Thickness share</source>
         <translation>Part d'épaisseur</translation>
-    </message>
-    <message>
-        <source>Thickness {} is below the first height {}: {} is the least</source>
-        <translation>L'épaisseur {} est sous la première hauteur {} : {} est le minimum</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -1263,10 +1052,6 @@
         <translation>UGRID, petit-boutiste</translation>
     </message>
     <message>
-        <source>Undo would take back all of this panel.</source>
-        <translation>Annuler reprendrait tout ce panneau.</translation>
-    </message>
-    <message>
         <source>Until isotropic</source>
         <translation>Jusqu'à l'isotropie</translation>
     </message>
@@ -1299,10 +1084,6 @@
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>Vue</translation>
-    </message>
-    <message>
         <source>Viscosity</source>
         <translation>Viscosité</translation>
     </message>
@@ -1327,16 +1108,8 @@
         <translation>Wavefront</translation>
     </message>
     <message>
-        <source>What is checked</source>
-        <translation>Ce qui est vérifié</translation>
-    </message>
-    <message>
         <source>What the colours of the elements in the 3D view stand for</source>
         <translation>Ce que signifient les couleurs des éléments dans la vue 3D</translation>
-    </message>
-    <message>
-        <source>When the edges of the elements are drawn; near: where they are far enough apart</source>
-        <translation>Quand les arêtes des éléments sont dessinées ; de près : là où elles sont assez écartées</translation>
     </message>
     <message>
         <source>Y plus</source>
@@ -1403,6 +1176,10 @@
         <translation>Deux bouts a besoin d'un resserrement</translation>
     </message>
     <message>
+        <source>cannot be installed: {}</source>
+        <translation>ne peut pas être installé : {}</translation>
+    </message>
+    <message>
         <source>cannot be kept: one is {} times as long as high, and {} is the most; split them, or raise first_height</source>
         <translation>ne peuvent pas être gardés : l'un est {} fois plus long que haut, et {} est le maximum ; coupez-les ou augmentez la première hauteur</translation>
     </message>
@@ -1429,6 +1206,10 @@
     <message>
         <source>cannot be read: {}: {}</source>
         <translation>ne peut pas être lu : {} : {}</translation>
+    </message>
+    <message>
+        <source>cannot be set to {}: {}</source>
+        <translation>ne peut pas prendre la valeur {} : {}</translation>
     </message>
     <message>
         <source>cannot be used: {}: {}</source>
@@ -1499,8 +1280,16 @@
         <translation>première hauteur {} mm (nombre de Reynolds {}) ; la couche limite a une épaisseur d'environ {} mm : {} couches de croissance {}</translation>
     </message>
     <message>
+        <source>for Python {} and version {} is not there: {}</source>
+        <translation>pour Python {} et la version {} n’existe pas : {}</translation>
+    </message>
+    <message>
         <source>geometric</source>
         <translation>géométrique</translation>
+    </message>
+    <message>
+        <source>give a model in which {} fails</source>
+        <translation>donnent un modèle dans lequel {} échoue</translation>
     </message>
     <message>
         <source>goes with axis_direction only</source>
@@ -1599,8 +1388,20 @@
         <translation>est donné deux fois</translation>
     </message>
     <message>
+        <source>is larger than any of the core: {}</source>
+        <translation>est plus grand que tout fichier du noyau : {}</translation>
+    </message>
+    <message>
         <source>is missing</source>
         <translation>manque</translation>
+    </message>
+    <message>
+        <source>is neither cell, constraint nor property of {}</source>
+        <translation>n’est ni cellule, ni contrainte, ni propriété de {}</translation>
+    </message>
+    <message>
+        <source>is neither file nor folder: {}</source>
+        <translation>n’est ni fichier ni dossier : {}</translation>
     </message>
     <message>
         <source>is no FreeCAD document: it lacks {}: {}</source>
@@ -1617,6 +1418,10 @@
     <message>
         <source>is no known key (did you mean {}?)</source>
         <translation>n'est pas une clé connue (vouliez-vous dire {} ?)</translation>
+    </message>
+    <message>
+        <source>is no name like {}</source>
+        <translation>n’est pas un nom comme {}</translation>
     </message>
     <message>
         <source>is no regular file: {}</source>
@@ -1827,8 +1632,8 @@
         <translation>doit valoir 1 avec extrude, pas 2</translation>
     </message>
     <message>
-        <source>must be a file of its own that ends in .json, got {}</source>
-        <translation>doit être un fichier à part qui finit par .json, reçu {}</translation>
+        <source>must be a file of its own that ends in {}, got {}</source>
+        <translation>doit être un fichier à part qui finit par {}, mais c’est {}</translation>
     </message>
     <message>
         <source>must be a finite number, got {}</source>
@@ -1849,6 +1654,10 @@
     <message>
         <source>must be a mesh object, got {}</source>
         <translation>attendu un objet maillage, donné {}</translation>
+    </message>
+    <message>
+        <source>must be a number or a text, got {}</source>
+        <translation>doit être un nombre ou un texte, mais c’est {}</translation>
     </message>
     <message>
         <source>must be a number {}, got {}</source>
@@ -1873,6 +1682,10 @@
     <message>
         <source>must be an object of names and lists, got {}</source>
         <translation>attendu un objet de noms et de listes, donné {}</translation>
+    </message>
+    <message>
+        <source>must be an object of names and values, got {}</source>
+        <translation>doit être un objet de noms et de valeurs, mais c’est {}</translation>
     </message>
     <message>
         <source>must be an object of names and words, got {}</source>
@@ -1937,6 +1750,10 @@
     <message>
         <source>names no file, and there is no report: nothing to do</source>
         <translation>aucun fichier nommé, ni rapport : rien à faire</translation>
+    </message>
+    <message>
+        <source>names no object of the document, or several</source>
+        <translation>ne nomme aucun objet du document, ou plusieurs</translation>
     </message>
     <message>
         <source>names {} of {}, which is no part of {}</source>
@@ -2165,6 +1982,10 @@
     <message>
         <source>the meshing core is not built for this FreeCAD (Python {}): run "./dev build" in {} and start FreeCAD again ({})</source>
         <translation>Le noyau de maillage n'est pas construit pour ce FreeCAD (Python {}) : lancez "./dev build" dans {} et redémarrez FreeCAD ({})</translation>
+    </message>
+    <message>
+        <source>the meshing core is of version {}, but this add-on needs {}: install the core of the same version ({})</source>
+        <translation>le noyau de maillage a la version {}, mais cette extension demande {} : installez le noyau de la même version ({})</translation>
     </message>
     <message>
         <source>the model has changed under the references: {}. Pick them again, or use Follow References or Accept References</source>
@@ -2399,20 +2220,16 @@
         <translation>{} n'a pas de valeur pour la taille : donnez-en une pour les environs de {}</translation>
     </message>
     <message>
-        <source>{} has none of these</source>
-        <translation>{} n'en a aucun</translation>
-    </message>
-    <message>
-        <source>{} has the sizes of {}, {} walls, {} local sizes and {} groups.</source>
-        <translation>{} a les tailles de {}, {} parois, {} tailles locales et {} groupes.</translation>
-    </message>
-    <message>
-        <source>{} has {} cells inside {}.</source>
-        <translation>{} a {} cellules dans {}.</translation>
-    </message>
-    <message>
         <source>{} is called {} now</source>
         <translation>{} s'appelle maintenant {}</translation>
+    </message>
+    <message>
+        <source>{} is damaged: {}</source>
+        <translation>{} est endommagé : {}</translation>
+    </message>
+    <message>
+        <source>{} is damaged: {} is not as its list says</source>
+        <translation>{} est endommagé : {} n’est pas comme le dit sa liste</translation>
     </message>
     <message>
         <source>{} is gone from the model</source>
@@ -2421,14 +2238,6 @@
     <message>
         <source>{} is in both {} and {}</source>
         <translation>{} est à la fois dans {} et dans {}</translation>
-    </message>
-    <message>
-        <source>{} is in error, and its shape may be an older one: mend it first</source>
-        <translation>{} est en erreur, et sa forme est peut-être ancienne : à réparer d'abord</translation>
-    </message>
-    <message>
-        <source>{} is in error: the mesh cannot be updated before it is mended.</source>
-        <translation>{} est en erreur : le maillage ne peut être mis à jour avant sa réparation.</translation>
     </message>
     <message>
         <source>{} is narrower than the tolerance of its edges: it holds no element, and its neighbours meet there</source>
@@ -2473,6 +2282,10 @@
     <message>
         <source>{} is not there any more</source>
         <translation>{} n'existe plus</translation>
+    </message>
+    <message>
+        <source>{} is not what its sum says: {} instead of {}</source>
+        <translation>{} n’est pas ce que dit sa somme : {} au lieu de {}</translation>
     </message>
     <message>
         <source>{} is not what was picked</source>
@@ -2553,10 +2366,6 @@
     <message>
         <source>{} shape</source>
         <translation>{} forme</translation>
-    </message>
-    <message>
-        <source>{} times, the worst: {}</source>
-        <translation>{} fois, le pire : {}</translation>
     </message>
     <message>
         <source>{} volume</source>
@@ -2681,10 +2490,6 @@
     <message>
         <source>{}: the mesh of this step is not kept any more: update it.</source>
         <translation>{} : le maillage de cette étape n'est plus conservé : mettez-le à jour.</translation>
-    </message>
-    <message>
-        <source>{}: the panel was closed from outside; its finished mesh was kept.</source>
-        <translation>{} : le panneau a été fermé de l'extérieur ; son maillage terminé a été gardé.</translation>
     </message>
     <message>
         <source>{}: the {} file is damaged: its reader crashes on it ({})</source>

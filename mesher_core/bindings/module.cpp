@@ -1,9 +1,12 @@
 #include "bindings.h"
+#include "geometry/kernel_version.h"
 
 PYBIND11_MODULE(_core, module) {
   using namespace advlayers::python;
   module.doc() =
       "Layered quad-dominant surface meshes on CAD faces. Lengths in mm, angles in degrees.";
+  module.attr("__version__") = ADVLAYERS_VERSION;
+  module.attr("kernel_version") = advlayers::kernel_version();
   bind_errors(module);
   bind_context(module);
   bind_child(module);

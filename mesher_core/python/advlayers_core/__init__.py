@@ -8,20 +8,29 @@
 
 Lengths are in mm, angles in degrees.
 """
+import os as _os
+import sys as _sys
+
+_before = _sys.getdlopenflags() if hasattr(_os, "RTLD_DEEPBIND") else None
+if _before is not None and _os.path.isdir(_os.path.join(_os.path.dirname(__file__), "libs")):
+    # A wheel's own libraries come before those that the program itself is linked with.
+    _sys.setdlopenflags(_before | _os.RTLD_DEEPBIND)
 try:
     from ._core import (Cancelled, ChildFailed, GeometryError, InternalError, InvalidInput,
-                        LayerReport, Mesh, Mesher, Model, RunContext, Settings,
-                        answer_of_child, answer_parent, brep_of_file, estimate, number_rows,
-                        read_brep, read_file, resolve_wall, schema)
+                        LayerReport, Mesh, Mesher, Model, RunContext, Settings, __version__,
+                        answer_of_child, answer_parent, brep_of_file, estimate, kernel_version,
+                        number_rows, read_brep, read_file, resolve_wall, schema)
 except ModuleNotFoundError as error:
     if error.name != __name__ + "._core":
         raise
-    import sys as _sys
     raise ImportError(
         "the meshing core is not built for this Python ({}.{}); build it with `./dev install` in "
         "the add-on's folder".format(*_sys.version_info[:2])) from error
+finally:
+    if _before is not None:
+        _sys.setdlopenflags(_before)
 
 __all__ = ["Cancelled", "ChildFailed", "GeometryError", "InternalError", "InvalidInput",
-           "LayerReport", "Mesh", "Mesher", "Model", "RunContext", "Settings", "answer_of_child",
-           "answer_parent", "brep_of_file", "estimate", "number_rows", "read_brep", "read_file",
-           "resolve_wall", "schema"]
+           "LayerReport", "Mesh", "Mesher", "Model", "RunContext", "Settings", "__version__",
+           "answer_of_child", "answer_parent", "brep_of_file", "estimate", "kernel_version",
+           "number_rows", "read_brep", "read_file", "resolve_wall", "schema"]

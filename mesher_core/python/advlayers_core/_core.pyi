@@ -5,6 +5,9 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, Literal, Mappi
 import numpy as np
 from numpy.typing import NDArray
 
+__version__: str
+kernel_version: str  # of the OpenCASCADE that the core is built with
+
 class InvalidInput(ValueError):
     """The caller's fault: a setting, a name, a file that is not there."""
 

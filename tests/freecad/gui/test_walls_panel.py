@@ -183,7 +183,7 @@ def test_the_table_and_the_fields_below_it_agree(mesh, box):
 
 
 def test_heights_are_shown_before_meshing(mesh, box):
-    heights = panel_of(mesh).preview.heights
+    heights = panel_of(mesh).heights
     child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(1)
     assert len(heights.lines) == 24  # 12 edges on 2 faces each
     select((box, "Edge1"))
