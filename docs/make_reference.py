@@ -60,6 +60,7 @@ def page():
         "Relative paths are relative to the job file. Of several shapes in an FCStd file the "
         "report names the one taken.", "",
         "## Mesh", "", _table(table.MESH_SETTINGS, properties=True), "",
+        "Where no size is given, `curvature_angle` is 10: a circle has 36 mesh edges then.", "",
         "`initial_mesh` is a file of surface or solid elements in mm, of first or second order, "
         "read by its ending: " + _endings() + ". In Python it may also be a pair of points (n, 3) "
         "and triangles (m, 3), or a mesh object of the document (Gmsh's, Netgen's, a layer mesh, a "

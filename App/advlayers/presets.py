@@ -6,7 +6,8 @@ from typing import Any, Dict, Mapping
 from advlayers.errors import InputError
 
 # A tangent seam is no wall, and a circle has 36 segments.
-_SHAPE = {"feature_angle": 15.0, "curvature_angle": 10.0}
+_FINE = {"curvature_angle": 10.0}
+_SHAPE = {"feature_angle": 15.0, **_FINE}
 
 PRESETS: Dict[str, Dict[str, Any]] = {
     # Layers from every sharp edge until they are as high as wide.
@@ -20,9 +21,9 @@ PRESETS: Dict[str, Dict[str, Any]] = {
 
 
 def applied(settings: Mapping[str, Any]) -> Dict[str, Any]:
-    """The settings with those of their preset where they say nothing themselves. Raises
-    InputError."""
-    given = dict(settings)
+    """The settings with those of their preset where they say nothing themselves, and round curves
+    where they say nothing of the size. Raises InputError."""
+    given = {**_FINE, **settings} if settings.get("size") is None else dict(settings)
     word = given.pop("preset", None)
     if word is None:
         return given

@@ -189,7 +189,7 @@ def test_layers_may_be_as_thick_as_a_share_of_the_size():
 
 def first_try(shape, **given):
     """The settings of a job that says nothing else."""
-    asked = check_all(given, MESH_SETTINGS)
+    asked = check_all(presets.applied(given), MESH_SETTINGS)
     return core_settings(core, asked, shape.diagonal)
 
 
@@ -227,4 +227,7 @@ def test_sizes_that_are_given_hold_without_sizes_of_small_parts():
     for given in ({"size": 4.0}, {"first_height": 0.2}):
         assert first_try(shape, **given).cells_across == 0
     assert first_try(shape).cells_across == 10
+    assert first_try(shape).curvature_angle == 10.0
+    assert first_try(shape, size=4.0).curvature_angle == 20.0
+    assert first_try(shape, curvature_angle=30.0).curvature_angle == 30.0
     assert first_try(shape, y_plus={"speed": 1.0, "length": 10.0}).cells_across == 10

@@ -80,7 +80,7 @@ struct Settings {
   EndOfGrowth end = EndOfGrowth::kFrontsClose;
   int layers = 0;                 // for EndOfGrowth::kLayers
   double feature_angle = 15.0;    // [deg]; 0: every CAD face is a patch of its own
-  double curvature_angle = 10.0;  // [deg] an edge segment or triangle side may turn
+  double curvature_angle = 20.0;  // [deg] an edge segment or triangle side may turn
   double size_growth = 1.4;       // neighbouring edges differ by no more through size alone
   int cells_across = 0;           // elements over the extent of each face at least; 0: any
   int gap_cells = 1;              // elements across a gap at least
