@@ -78,7 +78,7 @@ def global_shape(document_object):
     """The object's shape where it stands in the document, with the placements of its parents."""
     import Part
 
-    shape = Part.getShape(document_object).copy()
+    shape = Part.getShape(document_object)  # ours to place; the geometry is the document's
     placement = global_placement(document_object)
     if placement is not None:
         shape.Placement = placement

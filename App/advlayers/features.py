@@ -48,14 +48,15 @@ def _lists(settings: Mapping[str, Any]) -> Iterable[Tuple[str, Iterable[str]]]:
 def _edges(key: str, names: Iterable[str], model) -> Tuple[str, ...]:
     edges: List[str] = []
     for name in names:
-        found = _find(name, model) if is_feature(name) else [name]
+        found = find(name, model) if is_feature(name) else [name]
         if not found:
             raise InputError(key, "finds no edge for {}", repr(name))
         edges += found
     return tuple(dict.fromkeys(edges))
 
 
-def _find(name: str, model) -> List[str]:
+def find(name: str, model) -> List[str]:
+    """The edges of the core's model that a feature stands for."""
     holes, least, most, _sharp, angle = PATTERN.fullmatch(name).groups()
     if holes:
         low, high = (float(least), float(most)) if least else (0.0, float("inf"))

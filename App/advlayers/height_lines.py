@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Callable, Iterator, List, Mapping, Optional, Tuple
+from typing import (
+    Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple)
 
 import numpy as np
 
@@ -51,36 +52,52 @@ def wall_lines(shape, settings: Mapping[str, Any]) -> Iterator[WallLines]:
     for walls whose heights follow from the mesh (aspect_ratio, turning_angle).
 
     Raises the core's InvalidInput for a wall that contradicts itself."""
-    core = load_core()
+    for lines in face_by_face(shape, settings):
+        yield from lines
+
+
+def face_by_face(shape, settings: Mapping[str, Any],
+                 without: Sequence[str] = ()) -> Iterator[List[WallLines]]:
+    """The same in steps: those of one face in each; none of the edges named."""
+    walls = _walls_of_edges(shape, settings, set(without))
     meshed = None if settings["faces"] == "all" else set(settings["faces"])
+    for number, face in enumerate(shape.Faces, 1):
+        name = f"Face{number}"
+        if meshed and name not in meshed:
+            continue
+        yield [_lines(edge_name, name, edge, face, spacing)
+               for edge in face.Edges
+               for edge_name, faces, spacing in walls.get(_key(edge), ())
+               if (not faces or name in faces) and not edge.Degenerated and not edge.isSeam(face)]
+
+
+def _walls_of_edges(shape, settings: Mapping[str, Any],
+                    without: Set[str]) -> Dict[int, List[Any]]:
+    """By the edge: its name, the faces that the wall is on alone, and its spacing, for each of its
+    walls with a known height."""
+    core = load_core()
     common = core.Settings(**{key: settings[key] for key in _COMMON})
-    for wall in _walls(shape, settings):
+    keys = {f"Edge{number}": _key(edge) for number, edge in enumerate(shape.Edges, 1)
+            if f"Edge{number}" not in without}
+    found: Dict[int, List[Any]] = {}
+    for wall in _walls(keys, settings):
         spacing = core.resolve_wall(common, {
             entry.key: wall[entry.key] for entry in value_settings(WALL_SETTINGS)
             if wall.get(entry.key) is not None})
-        if spacing["first_height"] is None:
-            continue
-        for number, face in enumerate(shape.Faces, 1):
-            name = f"Face{number}"
-            if (meshed and name not in meshed) or (wall["faces"] and name not in wall["faces"]):
-                continue
-            for edge in face.Edges:
-                edge_name = wall["names"].get(_key(edge))
-                if edge_name and not edge.Degenerated and not edge.isSeam(face):
-                    yield _lines(edge_name, name, edge, face, spacing)
+        if spacing["first_height"] is not None:
+            for name in wall["edges"]:
+                if name in keys:
+                    found.setdefault(keys[name], []).append((name, wall["faces"], spacing))
+    return found
 
 
-def _walls(shape, settings: Mapping[str, Any]) -> List[Mapping[str, Any]]:
-    names = {_key(edge): f"Edge{number}" for number, edge in enumerate(shape.Edges, 1)}
-    listed = [] if settings["walls"] == "all" else [
-        {**wall, "names": {key: name for key, name in names.items() if name in wall["edges"]}}
-        for wall in settings["walls"]]
+def _walls(names: Iterable[str], settings: Mapping[str, Any]) -> List[Mapping[str, Any]]:
+    listed = [] if settings["walls"] == "all" else list(settings["walls"])
     if settings["walls"] != "all" and settings.get("others") != "wall":
         return listed
     without = {*settings["match"], *settings["off"], *settings["smooth"],
-               *(name for wall in listed for name in wall["names"].values())}
-    rest = {key: name for key, name in names.items() if name not in without}
-    return [*listed, {"faces": (), "names": rest}]
+               *(name for wall in listed for name in wall["edges"])}
+    return [*listed, {"faces": (), "edges": [name for name in names if name not in without]}]
 
 
 def _key(edge) -> int:

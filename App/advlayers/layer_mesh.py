@@ -15,7 +15,7 @@ import FreeCAD
 
 from advlayers import (
     analysis, cad_input, controls, faceted, features, fem_mesh, freshness, initial_mesh, limits,
-    mesh_data, mesh_history, migrations, presets, stored_mesh)
+    mesh_data, mesh_history, migrations, presets, source_state, stored_mesh)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
 from advlayers.formats import mesh_parts
@@ -33,7 +33,7 @@ from advlayers.window import (
     attach_view, can_update_beside, draw_view, prepare_view, show_mesh, update_beside)
 
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = "Not meshed", "Up to date", "Out of date"
-LOST_REFERENCES = "Lost references"
+LOST_REFERENCES, SOURCE_IN_ERROR = "Lost references", "Source in error"
 
 
 def _unwatched(_reports: List[Any]) -> None:
@@ -57,6 +57,7 @@ class LayerMesh(Stateless):
         document_object.SchemaVersion = migrations.CURRENT
         mesh_history.watch(document_object, _mesh_is_lost)
         analysis.watch(_refresh_mesh)
+        source_state.watch(_refresh_mesh)
 
     def onChanged(self, document_object, name: str) -> None:
         if document_object.Document.Restoring:
@@ -76,6 +77,7 @@ class LayerMesh(Stateless):
         controls.own_children(document_object)
         mesh_history.watch(document_object, _mesh_is_lost)
         analysis.watch(_refresh_mesh)
+        source_state.watch(_refresh_mesh)
         attach_view(document_object)
 
 
@@ -178,6 +180,9 @@ class Task:
 def prepare(document_object) -> Task:
     """Raises InputError."""
     shape = _shape_of(document_object)
+    if source_state.in_error(document_object.Part):
+        raise InputError("", "{} is in error, and its shape may be an older one: mend it first",
+                         document_object.Part.Label)
     check_references(document_object)
     origin = made_from(document_object)
     check_names(origin.settings, len(shape.Faces), len(shape.Edges), document_object.Part.Label)
@@ -269,10 +274,16 @@ def settings_of(document_object) -> Dict[str, Any]:
     return check_all(raw_settings(document_object), MESH_SETTINGS)
 
 
+def own_settings(document_object) -> Dict[str, Any]:
+    """Those of the object itself, without its children, unchecked. Raises InputError for
+    refinements that cannot be read."""
+    return {entry.key: from_property(entry, getattr(document_object, property_name(entry)))
+            for entry in property_settings()}
+
+
 def raw_settings(document_object) -> Dict[str, Any]:
-    """As the document has them, unchecked."""
-    settings = {entry.key: from_property(entry, getattr(document_object, property_name(entry)))
-                for entry in property_settings()}
+    """As the document has them, unchecked. Raises InputError for children that make no sense."""
+    settings = own_settings(document_object)
     found = controls.contributions(document_object)
     found["refinements"] = settings["refinements"] + found["refinements"]
     settings.update(found)
@@ -351,6 +362,8 @@ def _refresh_mesh(member) -> None:
 
 
 def _state(document_object) -> str:
+    if source_state.in_error(document_object.Part):
+        return SOURCE_IN_ERROR
     if document_object.MeshedSettings and _as_now(
             document_object, document_object.MeshedSettings, document_object.MeshedShape,
             document_object.MeshedInitialMesh):

@@ -1,7 +1,7 @@
 """Fills a closed layer mesh of a document with volume cells: an object beside it, for FEM."""
 from __future__ import annotations
 
-from advlayers import cad_input, fem_mesh, stored_mesh
+from advlayers import analysis, cad_input, fem_mesh, stored_mesh
 from advlayers.core_access import load_core
 from advlayers.formats.mesh_parts import MeshParts, of_mesh
 from advlayers.language import tr
@@ -14,7 +14,8 @@ from advlayers.volume.fill import VolumeFill
 def fill(mesh_object, **options):
     """Adds a Fem::FemMeshObject with the cells, and with the surface's elements in groups of its
     faces and the named ones; `options` are what a job may say of the volume: `quads="keep"`. The
-    surface's nodes keep their numbers, and its order is the volume's.
+    surface's nodes keep their numbers, and its order is the volume's. In analyses the cells take
+    the surface's place: FEM solves with one mesh.
 
     Raises InputError where there is no mesh, where it is not closed, or where the program that
     fills it is missing or fails; nothing has changed then.
@@ -26,7 +27,9 @@ def fill(mesh_object, **options):
     model = load_core().read_brep(shape.exportBrepToString(), mesh_object.SewTolerance.Value)
     filled = VolumeFill.of_settings(checked, mesh_object.Size.Value).fill(
         parts, model.solids, mesh_object.Label, model.project, lambda: window_watch.get()([]))
-    return add_object(mesh_object, filled.parts)
+    made = add_object(mesh_object, filled.parts)
+    analysis.replace(mesh_object, made)
+    return made
 
 
 def add_object(mesh_object, parts: MeshParts):

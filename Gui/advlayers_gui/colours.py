@@ -1,8 +1,8 @@
 """Colours of elements: one scale per field, the same in the view and in its legend."""
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, List, Tuple
+from dataclasses import dataclass, replace
+from typing import Any, List, Optional, Tuple
 
 import numpy as np
 
@@ -34,6 +34,15 @@ class Scale:
     whole: bool = False  # the values are whole numbers
     open_ended: bool = False  # there may be values beyond the ends; they have the ends' colours
 
+    def ranged(self, span: Optional[Tuple[float, float]],
+               logarithmic: Optional[bool]) -> Scale:
+        """With another range, or spread otherwise over it; None leaves either as it is."""
+        low, high = span or (self.low, self.high)
+        spread = self.logarithmic if logarithmic is None else logarithmic
+        return replace(self, low=low, high=high, logarithmic=spread and low > 0.0,
+                       whole=self.whole and not spread and low == round(low) and high - low >= 1.0,
+                       open_ended=self.open_ended or span is not None)
+
     def rgb(self, values):
         """(n, 3) from 0 to 1"""
         values = np.asarray(values, float)
@@ -57,9 +66,8 @@ class Scale:
         return [(share, self._label_at(share)) for share in shares.tolist()]
 
     def _label_at(self, share: float) -> str:
-        if self.logarithmic:
-            return f"{self.low * (self.high / self.low) ** share:.3g}"
-        value = self.low + share * (self.high - self.low)
+        value = self.low * (self.high / self.low) ** share if self.logarithmic \
+            else self.low + share * (self.high - self.low)
         beyond = {0.0: "≤ ", 1.0: "≥ "}.get(share, "") if self.open_ended else ""
         return beyond + (f"{value:.0f}" if self.whole else f"{value:.3g}")
 

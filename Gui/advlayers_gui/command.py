@@ -10,6 +10,7 @@ from PySide import QtGui
 from advlayers_gui.resources import icon
 
 TITLE = "Advancing Layers"
+_TOLD = 15000  # [ms] that the status bar shows what was done
 
 
 class Command:
@@ -70,6 +71,12 @@ class Transaction:
 def show_error(text: str) -> None:
     FreeCAD.Console.PrintError(f"{TITLE}: {text}\n")
     QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), TITLE, text)
+
+
+def tell(text: str) -> None:
+    """What a command has done, where the user looks and where it can be read again."""
+    FreeCAD.Console.PrintMessage(f"{TITLE}: {text}\n")
+    FreeCADGui.getMainWindow().statusBar().showMessage(text, _TOLD)
 
 
 def do(code: str) -> None:

@@ -6,7 +6,7 @@ from typing import List
 import FreeCADGui
 
 import advlayers_commands
-from advlayers_gui import colour_commands, make_commands, mesh_commands
+from advlayers_gui import colour_commands, help_command, make_commands, mesh_commands, tree_light
 
 # In the order of toolbar and menu; None: a separator.
 COMMANDS = (
@@ -14,6 +14,7 @@ COMMANDS = (
     mesh_commands.Update, mesh_commands.Check, mesh_commands.FollowReferences,
     mesh_commands.AcceptReferences, None, colour_commands.ColourBy, None,
     mesh_commands.Export, mesh_commands.ToMesh, mesh_commands.FillVolume, mesh_commands.TakeOver,
+    None, help_command.Help,
 )
 # What a right click on a layer mesh, or on its children, offers.
 CONTEXT = ("Wall", "Size", "Group", "Update", "Check", "FollowReferences", "AcceptReferences",
@@ -22,6 +23,7 @@ CONTEXT = ("Wall", "Size", "Group", "Update", "Check", "FollowReferences", "Acce
 
 def register() -> List[str]:
     """Makes the commands known to FreeCAD, once; returns their names as the toolbar has them."""
+    tree_light.watch()
     known = FreeCADGui.listCommands()
     for kind in (*colour_commands.ColourBy.MEMBERS, *filter(None, COMMANDS)):
         # Another command of that name would leave the buttons of the first one to themselves.

@@ -1,15 +1,17 @@
 """One wall, size or group: its references and its values in widgets."""
 from __future__ import annotations
 
-from typing import Callable, Dict, List
+from typing import Any, Callable, Dict, List
 
 from PySide import QtGui
 
-from advlayers import controls
+from advlayers import controls, hints
 from advlayers.errors import InputError
 from advlayers.language import tr, tr_doc
+from advlayers.layer_mesh import own_settings
 from advlayers.picked_names import link_value, names_on
-from advlayers.settings_table import value_settings
+from advlayers.properties import from_property
+from advlayers.settings_table import MESH_SETTINGS, Setting, property_name, value_settings
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import ReferenceList
 from advlayers_gui.setting_fields import SettingsForm
@@ -35,9 +37,25 @@ class ControlEditor:
         values = QtGui.QFormLayout(self._values)
         values.setContentsMargins(0, 0, 0, 0)
         self._form = SettingsForm(control, value_settings(control.Proxy.TABLE), values,
-                                  on_change, on_refused, optional=True)
+                                  on_change, on_refused, self._typed, self._inherited)
         layout.addRow(self._values)
         self._show_values()
+
+    def _inherited(self, entry: Setting) -> Any:
+        """What holds here where no value is given: that of the mesh, where it has a number."""
+        mesh = controls.mesh_of(self._control)
+        of_mesh = next((other for other in MESH_SETTINGS if other.key == entry.key), None)
+        if mesh is None or of_mesh is None:
+            return None
+        value = from_property(of_mesh, getattr(mesh, property_name(of_mesh)))
+        return value if isinstance(value, (int, float)) and value > 0 else None
+
+    def _typed(self, typed: Dict[str, Any]) -> None:
+        mesh = controls.mesh_of(self._control)
+        if mesh is not None and isinstance(self._control.Proxy, controls.Wall):
+            said = hints.of_wall(own_settings(mesh), {**controls.values(self._control), **typed})
+            if said is not None:
+                self._on_refused(said.translated)
 
     def store(self) -> None:
         self._form.store()
@@ -105,3 +123,9 @@ def references_of(control, source) -> List[str]:
         return names_on(source, control.References)
     except InputError:
         return [name for _owner, names in control.References for name in names]
+
+
+def groups_of(mesh_object) -> Dict[str, List[str]]:
+    """The faces and edges of each wall, size and group, by its label."""
+    return {control.Label: references_of(control, mesh_object.Part)
+            for control in controls.children(mesh_object)}

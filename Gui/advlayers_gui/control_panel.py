@@ -4,7 +4,7 @@ from __future__ import annotations
 from PySide import QtGui
 
 from advlayers import controls
-from advlayers_gui.control_editor import ControlEditor
+from advlayers_gui.control_editor import ControlEditor, groups_of, references_of
 from advlayers_gui.pick_bar import PickBar
 from advlayers_gui.status_line import StatusLine
 from advlayers_gui.task_panel import TaskPanel
@@ -22,24 +22,35 @@ class ControlPanel(TaskPanel):
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(4, 4, 4, 4)
         self._status = StatusLine()
-        self._pick_bar = PickBar(source, control.Proxy.KINDS, self._status.say)
+        self._pick_bar = PickBar(source, control.Proxy.KINDS, self._status.say,
+                                 lambda: groups_of(self._mesh_object))
         self._editor = ControlEditor(control, source, self._pick_bar.picks, self._changed,
                                      self._status.say)
         # On top, as in the panel of the mesh: a small window must not scroll away what is wrong.
-        for part in (self._status.widget, self._pick_bar.widget, self._editor.widget):
-            layout.addWidget(part)
+        for part in (self._question, self._status, self._pick_bar, self._editor):
+            layout.addWidget(part.widget)
+        self.preview.lit = lambda: references_of(control, source)
         self._pick_bar.picks.begin()
         source.ViewObject.Visibility, self._mesh_object.ViewObject.Visibility = True, False
-        self._changed()
+        self._look_at(source)
+        self._show_state()
 
     def accept(self) -> bool:
         self._editor.store()
         return super().accept()
 
     def _changed(self) -> None:
-        wrong = self._preview_heights(self._mesh_object)
-        self._status.say(wrong or self.heights.caption(), wrong=bool(wrong))
+        self._altered = not self._recording.empty
+        self._show_state()
+
+    def _show_state(self) -> None:
+        wrong = self.preview.show(self._mesh_object)
+        if wrong:
+            self._previewed(wrong)
+
+    def _previewed(self, wrong: str) -> None:
+        self._status.say(wrong or self.preview.heights.caption(), wrong=bool(wrong))
 
     def _clean_up(self) -> None:
-        self._pick_bar.picks.end()
+        self._pick_bar.end()
         self._editor.release()

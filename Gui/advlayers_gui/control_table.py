@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, List, Optional
 
+import FreeCAD
 from PySide import QtCore, QtGui
 
 from advlayers import controls
@@ -11,6 +12,7 @@ from advlayers.language import tr
 from advlayers.settings_table import property_name, value_settings
 from advlayers_gui.control_editor import (
     ControlEditor, change_condition, condition_texts, references_of)
+from advlayers.lengths import length_text
 from advlayers_gui.picking import PickSession
 from advlayers_gui.reference_list import tool_button
 from advlayers_gui.setting_fields import label_of
@@ -32,6 +34,13 @@ class ControlTable:
         self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addLayout(self._buttons())
         self._layout.addWidget(self._make_table())
+        self._empty = QtGui.QLabel(tr(
+            "No walls yet: with Layers from all edges, layers grow from every edge. Select edges "
+            "in the 3D view and press + Wall for values of their own, + Size for finer places, "
+            "+ Group for boundary conditions."))
+        self._empty.setObjectName("AdvLayersNoConditions")
+        self._empty.setWordWrap(True)
+        self._layout.addWidget(self._empty)
         self._place = QtGui.QVBoxLayout()
         self._layout.addLayout(self._place)
         self._layout.addStretch()
@@ -53,6 +62,8 @@ class ControlTable:
         self._rows = controls.children(self._mesh_object)
         self._table.blockSignals(True)
         self._table.setRowCount(len(self._rows))
+        self._table.setVisible(bool(self._rows))
+        self._empty.setVisible(not self._rows)
         for row, control in enumerate(self._rows):
             self._fill(row, control)
         self._table.resizeColumnsToContents()
@@ -218,7 +229,13 @@ def _values_text(control) -> str:
     for entry in value_settings(control.Proxy.TABLE):
         if entry.key in controls.values(control):
             value = getattr(control, property_name(entry))
-            shown = value.UserString if hasattr(value, "UserString") else f"{value:g}" \
-                if isinstance(value, float) else str(value)
-            parts.append(f"{label_of(entry)} {shown}")
+            parts.append(f"{label_of(entry)} {_shown(value)}")
     return ", ".join(parts)
+
+
+def _shown(value: Any) -> str:
+    if hasattr(value, "Unit") and value.Unit == FreeCAD.Units.Length:
+        return length_text(value.Value)
+    if hasattr(value, "UserString"):
+        return value.UserString
+    return f"{value:g}" if isinstance(value, float) else str(value)

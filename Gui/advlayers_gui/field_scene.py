@@ -11,6 +11,7 @@ from advlayers.mesh_data import ASPECT, DIAGNOSTICS, HEIGHT, LAYERS, MeshData
 from advlayers_gui import colours
 from advlayers_gui.legend import Legend
 from advlayers_gui.mesh_drawing import MeshDrawing, Piece, pieces_of
+from advlayers_gui.view_box import ViewOptions
 
 MARK_COLOUR = (0.85, 0.10, 0.15)
 _SEVERITY_COLOURS = {"error": (0.80, 0.05, 0.10), "warning": (0.95, 0.55, 0.05),
@@ -20,6 +21,7 @@ _SEVERITY_COLOURS = {"error": (0.80, 0.05, 0.10), "warning": (0.95, 0.55, 0.05),
 class FieldScene:
     def __init__(self) -> None:
         self._drawing, self._legend, self._marks = MeshDrawing(), Legend(), coin.SoSeparator()
+        self.options, self._extent = ViewOptions(), None
         self.root = coin.SoSeparator()
         for node in (self._drawing.root, self._marks, self._legend.root):
             self.root.addChild(node)
@@ -48,15 +50,31 @@ class FieldScene:
         """Shows a mesh that still grows."""
         self._drawing.show(iter(pieces))
 
-    def show(self, data: MeshData, field: str) -> None:
+    def set_options(self, options: ViewOptions) -> None:
+        """How it is to be looked at; the colours follow with the next show()."""
+        self.options = options
+        self._drawing.draw_edges(options.edges)
+        self._cut()
+
+    def _cut(self) -> None:
+        axis = self.options.cut_axis if self._extent is not None else -1
+        low, high = self._extent if axis >= 0 else (None, None)
+        self._drawing.cut(axis, 0.0 if axis < 0 else float(
+            low[axis] + self.options.cut_share * (high[axis] - low[axis])))
+
+    def show(self, data: MeshData, field: str) -> colours.Scale:
         values = data.field(field)
-        scale = _scale(field, values)
+        scale = _scale(field, values).ranged(self.options.span, self.options.logarithmic)
+        if data.mesh.count:
+            self._extent = data.mesh.nodes.min(axis=0), data.mesh.nodes.max(axis=0)
+        self._cut()
         self._drawing.show(pieces_of(data.mesh, colours.packed(scale.rgb(values))))
         self._legend.show(scale)
         self._marks.removeAllChildren()
         if field == DIAGNOSTICS:
             for severity, points in data.diagnostic_points().items():
                 self._marks.addChild(markers(points, _SEVERITY_COLOURS[severity]))
+        return scale
 
 
 def growing_pieces(mesh: ElementMesh) -> Iterator[Piece]:

@@ -1,14 +1,15 @@
 """Lines in the 3D view where the layers that are asked for would end."""
 from __future__ import annotations
 
-from typing import Any, Iterable, List
+from typing import Iterable, List
 
-import FreeCAD
 import numpy as np
 from pivy import coin
 
 from advlayers.height_lines import WallLines
 from advlayers.language import tr
+from advlayers_gui.conditions_view import polylines
+from advlayers.lengths import length_text
 
 _FIRST_COLOUR = (0.10, 0.45, 0.85)
 _LAST_COLOUR = (0.93, 0.50, 0.10)
@@ -57,32 +58,15 @@ class HeightPreview:
         style.lineWidth = 2.0
         for node in (pick, flat, style):
             self._lines.addChild(node)
-        self._lines.addChild(_polylines([line.first for line in lines], _FIRST_COLOUR))
+        self._lines.addChild(polylines([line.first for line in lines], _FIRST_COLOUR))
         ends = [line for line in lines if line.last is not None]
-        self._lines.addChild(_polylines([line.last for line in ends], _LAST_COLOUR))
+        self._lines.addChild(polylines([line.last for line in ends], _LAST_COLOUR))
         rungs = [np.array([foot, last]) for line in ends
                  for foot, last in zip(line.foot, line.last)]
-        self._lines.addChild(_polylines(rungs, _LAST_COLOUR))
+        self._lines.addChild(polylines(rungs, _LAST_COLOUR))
 
 
 def _range(lengths) -> str:
     """From the least to the largest, in the user's units."""
-    ends = [FreeCAD.Units.Quantity(float(length), FreeCAD.Units.Length).UserString
-            for length in (lengths.min(), lengths.max())]
+    ends = [length_text(length) for length in (lengths.min(), lengths.max())]
     return " – ".join(dict.fromkeys(ends))
-
-
-def _polylines(polylines: List[Any], colour):
-    separator = coin.SoSeparator()
-    if not polylines:
-        return separator
-    paint = coin.SoBaseColor()
-    paint.rgb = colour
-    points = np.concatenate(polylines).astype(np.float32)
-    coordinates = coin.SoCoordinate3()
-    coordinates.point.setValues(0, len(points), points)
-    lines = coin.SoLineSet()
-    lines.numVertices.setValues(0, len(polylines), [len(polyline) for polyline in polylines])
-    for node in (paint, coordinates, lines):
-        separator.addChild(node)
-    return separator

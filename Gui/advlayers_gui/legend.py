@@ -1,5 +1,7 @@
-"""The legend of a colour scale, in the lower left corner of the 3D view."""
+"""Legends in the lower left corner of the 3D view: of a colour scale, of colours with a word."""
 from __future__ import annotations
+
+from typing import Iterable, Sequence, Tuple
 
 import numpy as np
 from pivy import coin
@@ -12,10 +14,11 @@ _PLATE = (-0.98, -0.72, -0.90, -0.14)  # left, right, bottom, top
 _PLATE_COLOUR = (0.93, 0.94, 0.95)
 _STEPS = 40
 _LABELS = 5
+_LINE = 0.06  # from one word to the next
 _TEXT_COLOUR = (0.05, 0.05, 0.05)
 
 
-class Legend:
+class _Corner:
     """Takes no room in the scene, and cannot be picked."""
 
     def __init__(self) -> None:
@@ -28,7 +31,7 @@ class Legend:
     def hide(self) -> None:
         self._content.removeAllChildren()
 
-    def show(self, scale: Scale) -> None:
+    def _show(self, *nodes) -> None:
         self.hide()
         camera = coin.SoOrthographicCamera()
         camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
@@ -39,14 +42,48 @@ class Legend:
         pick.style = coin.SoPickStyle.UNPICKABLE
         flat = coin.SoLightModel()
         flat.model = coin.SoLightModel.BASE_COLOR
-        for node in (camera, pick, flat, _plate(), _bar(scale), _texts(scale)):
+        for node in (camera, pick, flat, *nodes):
             self._content.addChild(node)
 
 
-def _plate():
+class Legend(_Corner):
+    def show(self, scale: Scale) -> None:
+        self._show(_plate(_PLATE), _bar(scale), _texts(scale))
+
+
+class WordLegend(_Corner):
+    def show(self, entries: Sequence[Tuple[Tuple[float, float, float], str]]) -> None:
+        """Colours and what they stand for, from the top."""
+        if not entries:
+            self.hide()
+            return
+        left, right, bottom, _top = _PLATE
+        top = bottom + _LINE * (len(entries) + 0.5)
+        nodes = [_plate((left, right + 0.2, bottom, top))]
+        for number, (colour, word) in enumerate(entries):
+            height = top - _LINE * (number + 0.8)
+            nodes += [_sample(colour, height), _words(((word, _RIGHT + 0.03, height - 0.012),))]
+        self._show(*nodes)
+
+
+def _sample(colour, height: float):
+    """A short line of the colour."""
+    separator = coin.SoSeparator()
+    paint = coin.SoBaseColor()
+    paint.rgb = colour
+    style = coin.SoDrawStyle()
+    style.lineWidth = 4.0
+    ends = coin.SoCoordinate3()
+    ends.point.setValues(0, 2, [(_LEFT, height, 0.0), (_RIGHT + 0.01, height, 0.0)])
+    for node in (paint, style, ends, coin.SoLineSet()):
+        separator.addChild(node)
+    return separator
+
+
+def _plate(extent: Tuple[float, float, float, float]):
     """What the texts stand on, so that they can be read before any mesh."""
     plate = coin.SoSeparator()
-    left, right, bottom, top = _PLATE
+    left, right, bottom, top = extent
     corners = [(left, bottom, 0.0), (right, bottom, 0.0), (right, top, 0.0), (left, top, 0.0)]
     colour = coin.SoBaseColor()
     colour.rgb = _PLATE_COLOUR
@@ -79,6 +116,12 @@ def _bar(scale: Scale):
 
 
 def _texts(scale: Scale):
+    labels = [(label, _RIGHT + 0.015, _BOTTOM + share * (_TOP - _BOTTOM) - 0.012)
+              for share, label in scale.labels(_LABELS)]
+    return _words([*labels, (scale.title, _LEFT, _TOP + 0.04)])
+
+
+def _words(placed: Iterable[Tuple[str, float, float]]):
     texts = coin.SoSeparator()
     colour = coin.SoBaseColor()
     colour.rgb = _TEXT_COLOUR
@@ -86,9 +129,8 @@ def _texts(scale: Scale):
     font.name, font.size = "Arial", 13.0
     texts.addChild(colour)
     texts.addChild(font)
-    for share, label in scale.labels(_LABELS):
-        texts.addChild(_text(label, _RIGHT + 0.015, _BOTTOM + share * (_TOP - _BOTTOM) - 0.012))
-    texts.addChild(_text(scale.title, _LEFT, _TOP + 0.04))
+    for words, x, y in placed:
+        texts.addChild(_text(words, x, y))
     return texts
 
 

@@ -1,7 +1,7 @@
 """Commands that add objects to the document: layer mesh, wall, size, group."""
 from __future__ import annotations
 
-from typing import Any, Tuple
+from typing import Any, Dict, List, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -14,7 +14,7 @@ class LayerMesh(Command):
     NAME = "LayerMesh"
     MENU = "Layer Mesh…"
     TOOLTIP = ("Creates a quad-dominant surface mesh of the selected shape or faces, with layers "
-               "along its edges")
+               "along its edges, or along the selected ones")
     KEYS = "Y, L"
 
     def run(self) -> None:
@@ -25,9 +25,9 @@ class LayerMesh(Command):
         found = selected.source()
         if found is None:
             raise InputError("", "Select the shape to mesh, or some of its faces, first.")
-        source, faces = found
+        source, picked = found
         load_core()
-        settings = {**preferences.settings(), **({"faces": faces} if faces else {})}
+        settings = {**preferences.settings(), **_picked_settings(picked)}
         document = source.Document
         words = "".join(f", {key}={value!r}" for key, value in settings.items())
         document.openTransaction(self.title)
@@ -43,6 +43,18 @@ class LayerMesh(Command):
         document.recompute()
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.getDocument(document.Name).setEdit(created.Name)
+
+
+def _picked_settings(names: List[str]) -> Dict[str, Any]:
+    """Only the faces among them are meshed, and layers grow from the edges among them alone."""
+    found: Dict[str, Any] = {}
+    faces = [name for name in names if name.startswith("Face")]
+    edges = [name for name in names if name.startswith("Edge")]
+    if faces:
+        found["faces"] = faces
+    if edges:
+        found["walls"] = [{"edges": edges}]
+    return found
 
 
 def _join_active_analysis(created) -> None:

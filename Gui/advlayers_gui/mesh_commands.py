@@ -9,8 +9,9 @@ import FreeCADGui
 from PySide import QtGui
 
 from advlayers_gui import selected
+from advlayers import controls
 from advlayers.language import tr
-from advlayers_gui.command import Command, call_on, do, in_code
+from advlayers_gui.command import Command, call_on, do, in_code, tell
 
 
 class _OnMeshes(Command):
@@ -69,8 +70,8 @@ class Check(_OnOneMesh):
         from advlayers import check
 
         words = {"error": tr("error"), "warning": tr("warning"), "info": tr("note")}
-        lines = [f"{words[finding.severity]}: {finding.text}{_at(finding.point)}"
-                 for finding in check.check(mesh)]
+        lines = [f"{words[group.severity]}: {group.text}{_at(group.findings[0].point)}"
+                 for group in check.grouped(check.check(mesh))]
         FreeCAD.Console.PrintMessage("\n".join([check.summary(mesh)] + lines) + "\n")
         FreeCADGui.getDocument(mesh.Document.Name).setEdit(mesh.Name)
         if mesh.ViewObject.Proxy.panel is not None:
@@ -128,6 +129,19 @@ class Export(_OnOneMesh):
         return path
 
 
+def _select(document_object) -> None:
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(document_object)
+
+
+def _in_analyses(mesh) -> str:
+    """In which it is now."""
+    from advlayers import analysis
+
+    labels = ", ".join(entry.Label for entry in analysis.analyses_of(mesh))
+    return " " + tr("It is the mesh of {}.").format(labels) if labels else ""
+
+
 def _shown(ending: str) -> str:
     return ".FCStd" if ending == ".fcstd" else ending
 
@@ -144,6 +158,14 @@ class FillVolume(_OnOneMesh):
     MENU = "Fill with Tetrahedra"
     TOOLTIP = "Fills the inside of a closed layer mesh with tetrahedra, using Gmsh or Netgen"
     CALL = ("from advlayers import volume_fill", "volume_fill.fill")
+
+    def run_on(self, mesh) -> None:
+        super().run_on(mesh)
+        made = mesh.Document.ActiveObject
+        mesh.ViewObject.Visibility, made.ViewObject.Visibility = False, True
+        _select(made)
+        tell(tr("{} has {} cells inside {}.").format(
+            made.Label, made.FemMesh.VolumeCount, mesh.Label) + _in_analyses(made))
 
 
 class TakeOver(Command):
@@ -164,6 +186,15 @@ class TakeOver(Command):
             raise InputError("", "Select one Gmsh mesh first.")
         call_on(chosen[0], self.title, "from advlayers import gmsh_takeover",
                 "gmsh_takeover.take_over")
+        made = chosen[0].Document.ActiveObject
+        mesh = controls.mesh_of(made) if controls.is_control(made) else made
+        chosen[0].ViewObject.Visibility = False
+        tell(tr("{} has the sizes of {}, {} walls, {} local sizes and {} groups.").format(
+            mesh.Label, chosen[0].Label, len(mesh.WallList), len(mesh.SizeList),
+            len(mesh.GroupList)) + _in_analyses(mesh))
+        # Not meshed yet: the panel shows what was taken over, and OK meshes.
+        _select(mesh)
+        FreeCADGui.getDocument(mesh.Document.Name).setEdit(mesh.Name)
 
     @staticmethod
     def _gmsh_meshes() -> List[Any]:

@@ -9,11 +9,13 @@ import numpy as np
 from pivy import coin
 
 from advlayers_gui.turns import Turns
+from advlayers_gui.view_box import ALWAYS, NEAR
 
 # Elements that are handed over at once: some 30 ms for the arrays, and as much for the picture.
 PIECE = 20000
 # Beside the viewer's own light, so that no side of the model is black.
 _LIGHTS = (((0.2, 0.3, 1.0), 0.12), ((1.0, 0.6, 0.0), 0.10))
+_APART = 10.0  # [pixels] of an element whose edges are drawn
 _LINE_COLOUR = (0.10, 0.12, 0.16)
 
 
@@ -77,8 +79,17 @@ class _PieceNode:
         colour.rgb = _LINE_COLOUR
         for node in (flat, colour, self._lines):
             drawn.addChild(node)
-        for node in (self._points, filled, drawn):
+        # Near: where the piece takes so much room that its edges can be told apart.
+        self._near, self._edges = coin.SoLevelOfDetail(), coin.SoSwitch()
+        self._near.addChild(drawn)
+        self._near.addChild(coin.SoGroup())
+        self._edges.addChild(self._near)
+        self._edges.addChild(drawn)
+        for node in (self._points, filled, self._edges):
             self.root.addChild(node)
+
+    def draw_edges(self, when: int) -> None:
+        self._edges.whichChild = {NEAR: 0, ALWAYS: 1}.get(when, coin.SO_SWITCH_NONE)
 
     def fill(self, piece: Piece) -> None:
         # Coin reads indices when it draws: they must fit the points at any time.
@@ -89,6 +100,7 @@ class _PieceNode:
         self._faces.coordIndex.setValues(0, len(piece.faces), piece.faces)
         self._lines.coordIndex.setValues(0, len(piece.lines), piece.lines)
         self.elements, self.in_layers = len(piece.colours), piece.in_layers
+        self._near.screenArea = _APART * self.elements
         self._colours.orderedRGBA.setNum(self.elements)
         self._colours.orderedRGBA.setValues(0, self.elements, piece.colours)
 
@@ -97,7 +109,7 @@ class MeshDrawing:
     """A scene of elements that is filled piece by piece, some in each turn of the event loop."""
 
     def __init__(self) -> None:
-        self.root = coin.SoSeparator()
+        self.root = coin.SoSeparator()  # what follows it is not cut
         hints = coin.SoShapeHints()  # both sides lit: surfaces are seen from within too
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
@@ -106,8 +118,11 @@ class MeshDrawing:
             light.direction, light.intensity = direction, intensity
             self.root.addChild(light)
         self._pieces = coin.SoGroup()
-        self.root.addChild(hints)
-        self.root.addChild(self._pieces)
+        self._plane = coin.SoClipPlane()
+        self._plane.on = False
+        for node in (hints, self._plane, self._pieces):
+            self.root.addChild(node)
+        self._when = NEAR
         self._nodes: List[_PieceNode] = []
         self._turns = Turns()
 
@@ -125,6 +140,19 @@ class MeshDrawing:
     def busy(self) -> bool:
         return self._turns.busy
 
+    def draw_edges(self, when: int) -> None:
+        """NEAR, ALWAYS or NEVER."""
+        self._when = when
+        for node in self._nodes:
+            node.draw_edges(when)
+
+    def cut(self, axis: int, place: float) -> None:
+        """Hides what lies beyond the place on the axis; an axis of -1 hides nothing."""
+        self._plane.on = axis >= 0
+        if axis >= 0:
+            normal = [-1.0 if number == axis else 0.0 for number in range(3)]
+            self._plane.plane = coin.SbPlane(coin.SbVec3f(*normal), -place)
+
     def show(self, pieces: Iterator[Piece]) -> None:
         """Replaces what is shown: some pieces at once, the others turn by turn."""
         self._turns.start(self._fill(pieces))
@@ -137,6 +165,7 @@ class MeshDrawing:
         for piece in pieces:
             if filled == len(self._nodes):
                 self._nodes.append(_PieceNode())
+                self._nodes[-1].draw_edges(self._when)
                 self._pieces.addChild(self._nodes[-1].root)
             self._nodes[filled].fill(piece)
             filled += 1

@@ -19,7 +19,7 @@ class PickSession:
                  on_refused: Callable[[str], None]) -> None:
         self._source, self._on_change, self._on_refused = source, on_change, on_refused
         self._gate = _Gate(source, kinds, on_refused)
-        self._active = False
+        self._active = self._silent = False
 
     def begin(self) -> None:
         if not self._active:
@@ -45,24 +45,33 @@ class PickSession:
 
     def select(self, names: Iterable[str]) -> None:
         """Selects these of the object, and nothing else."""
-        FreeCADGui.Selection.clearSelection()
-        for name in names:
-            FreeCADGui.Selection.addSelection(
-                self._source.Document.Name, self._source.Name, name)
+        self._silent = True  # one word for all of them: each would count them all
+        try:
+            FreeCADGui.Selection.clearSelection()
+            for name in names:
+                FreeCADGui.Selection.addSelection(
+                    self._source.Document.Name, self._source.Name, name)
+        finally:
+            self._silent = False
+        self._on_change()
+
+    def _changed(self) -> None:
+        if not self._silent:
+            self._on_change()
 
     # --- what FreeCAD calls -------------------------------------------------------------------
 
     def addSelection(self, _document, _object, _sub, _point) -> None:
-        self._on_change()
+        self._changed()
 
     def removeSelection(self, _document, _object, _sub) -> None:
-        self._on_change()
+        self._changed()
 
     def setSelection(self, _document) -> None:
-        self._on_change()
+        self._changed()
 
     def clearSelection(self, _document) -> None:
-        self._on_change()
+        self._changed()
 
 
 class _Gate:

@@ -19,8 +19,20 @@ class Recording:
         self._codes = {thing.Name: in_code(thing) for thing in self._things()}
         self._mesh_id = self._id()
 
+    @property
+    def empty(self) -> bool:
+        """Whether nothing has changed since."""
+        return not self._lines()
+
     def tell(self) -> None:
         """All that has changed since."""
+        lines = self._lines()
+        if lines:
+            with advlayers.done_already():
+                for line in ["import advlayers"] + lines:
+                    do(line)
+
+    def _lines(self) -> List[str]:
         now = {thing.Name: thing for thing in self._things()}
         lines = [f"advlayers.remove({self._codes[name]})"
                  for name in self._before if name not in now]
@@ -31,10 +43,7 @@ class Recording:
                 lines.append(_making(self._object, thing))
         if self._id() != self._mesh_id:
             lines.append(f"advlayers.update({in_code(self._object)})")
-        if lines:
-            with advlayers.done_already():
-                for line in ["import advlayers"] + lines:
-                    do(line)
+        return lines
 
     def _things(self) -> List[Any]:
         if controls.is_control(self._object):

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from typing import Any, Callable, List, Mapping, Optional, Sequence
 
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from advlayers import check
@@ -12,34 +11,36 @@ from advlayers.language import tr
 from advlayers.mesh_data import FIELDS, HEIGHT, QUALITY, MeshData, Place
 from advlayers.sentence import stop_words
 from advlayers_gui.colours import title_of
+from advlayers_gui.findings_list import FindingsList, Remedies
 from advlayers_gui.histogram import BARS, Histogram
-
-_ICONS = {"error": QtGui.QStyle.SP_MessageBoxCritical,
-          "warning": QtGui.QStyle.SP_MessageBoxWarning,
-          "info": QtGui.QStyle.SP_MessageBoxInformation}
+from advlayers_gui.view_box import ViewBox, ViewOptions
+from advlayers.lengths import length_text
 
 
 class ResultsPage:
     """`on_field` gets the field to colour by; `on_place` where to look at, None for nowhere, and
-    what there is to see."""
+    what there is to see; `remedies` what can be done about kinds of findings."""
 
     def __init__(self, on_field: Callable[[str], None],
-                 on_place: Callable[[Optional[Place], str], None]) -> None:
+                 on_place: Callable[[Optional[Place], str], None], remedies: Remedies,
+                 on_options: Callable[[ViewOptions], None]) -> None:
         self._on_field, self._on_place = on_field, on_place
         self._data: Optional[MeshData] = None
-        self._findings: List[Finding] = []
         self.widget = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(self.widget)
         layout.setContentsMargins(4, 4, 4, 4)
-        self._figures = QtGui.QLabel(tr("There is no mesh yet."))
+        self._figures = QtGui.QLabel(tr("There is no mesh yet: press Mesh."))
         self._figures.setObjectName("AdvLayersFigures")
         self._figures.setWordWrap(True)
         layout.addWidget(self._figures)
         layout.addLayout(self._make_field_row())
+        self.view = ViewBox(on_options)
+        layout.addWidget(self.view.widget)
         self._histogram = Histogram(self._pick_bar)
         layout.addWidget(self._histogram)
         layout.addWidget(self._make_walls())
-        layout.addWidget(self._make_findings())
+        self._findings = FindingsList(self._pick_finding, remedies)
+        layout.addWidget(self._findings.widget)
 
     @property
     def field(self) -> str:
@@ -49,8 +50,8 @@ class ResultsPage:
         """The mesh, where there is one; the remarks are listed with what the mesh gives cause
         for."""
         self._data = data
-        self._findings = check.by_severity([*remarks, *(check.of_mesh(data) if data else ())])
-        self._fill_findings()
+        self._findings.show([*remarks, *(check.of_mesh(data) if data else ())],
+                            tr("There is nothing to complain of.") if data else "")
         if data is not None:
             self._figures.setText(_figures_text(data.report))
             self._histogram.show_values(data.field(QUALITY))
@@ -88,15 +89,6 @@ class ResultsPage:
         self._walls.cellClicked.connect(lambda row, _column: self._pick_wall(row))
         return self._walls
 
-    def _make_findings(self):
-        self._list = QtGui.QListWidget()
-        self._list.setObjectName("AdvLayersFindings")
-        self._list.setMinimumHeight(80)
-        self._list.setWordWrap(True)
-        self._list.setToolTip(tr("A click shows the place"))
-        self._list.itemClicked.connect(lambda _item: self._pick_finding(self._list.currentRow()))
-        return self._list
-
     # --- contents -----------------------------------------------------------------------------
 
     def _fill_walls(self, walls) -> None:
@@ -110,16 +102,6 @@ class ResultsPage:
                 self._walls.setItem(row, column, item)
         self._walls.resizeColumnsToContents()
 
-    def _fill_findings(self) -> None:
-        self._list.clear()
-        for finding in self._findings:
-            icon = self._list.style().standardIcon(_ICONS[finding.severity])
-            self._list.addItem(QtGui.QListWidgetItem(icon, finding.text))
-        if self._data is not None and not self._findings:
-            nothing = QtGui.QListWidgetItem(tr("There is nothing to complain of."))
-            nothing.setFlags(QtCore.Qt.NoItemFlags)
-            self._list.addItem(nothing)
-
     # --- clicks -------------------------------------------------------------------------------
 
     def _pick_bar(self, bar: int) -> None:
@@ -132,8 +114,7 @@ class ResultsPage:
             text = tr("element {}: quality {:.2f}").format(element + 1, quality[element])
             self._on_place(self._data.place_of(element), text)
 
-    def _pick_finding(self, row: int) -> None:
-        finding = self._findings[row]
+    def _pick_finding(self, finding: Finding) -> None:
         if finding.wall >= 0:
             self._pick_wall(finding.wall)
         elif finding.element >= 0:
@@ -206,11 +187,7 @@ def _wall_texts(wall: Mapping[str, Any]) -> List[str]:
     asked = wall["requested_layers"]
     stops = ", ".join(f"{stop_words(reason)} ({count})"
                       for reason, count in sorted(wall["stops"].items(), key=lambda x: -x[1]))
-    return [wall["edge"], wall["face"], _length(wall["first_height"]),
-            f"{_length(mean)} ({_length(achieved['min'])} – {_length(achieved['max'])})",
+    return [wall["edge"], wall["face"], length_text(wall["first_height"]),
+            "{} ({} – {})".format(*map(length_text, (mean, achieved["min"], achieved["max"]))),
             f"{wall['growth']:.3g} → {wall['achieved_growth']:.3g}",
             f"{asked} → {wall['layers']}" if asked else str(wall["layers"]), stops]
-
-
-def _length(millimetres: float) -> str:
-    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString

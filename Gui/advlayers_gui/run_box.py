@@ -119,7 +119,9 @@ def state_text(mesh_object) -> str:
     """In the user's language."""
     return {layer_mesh.NOT_MESHED: tr("Not meshed"), layer_mesh.UP_TO_DATE: tr("Up to date"),
             layer_mesh.OUT_OF_DATE: tr("Out of date"),
-            layer_mesh.LOST_REFERENCES: tr("Lost references")}[mesh_object.State]
+            layer_mesh.LOST_REFERENCES: tr("Lost references"),
+            layer_mesh.SOURCE_IN_ERROR: tr("The shape is in error: mend it first")}[
+                mesh_object.State]
 
 
 def status_text(progress: Progress) -> str:

@@ -34,16 +34,16 @@ def all_layer_meshes() -> List[Any]:
 
 
 def source() -> Optional[Tuple[Any, List[str]]]:
-    """The selected object that has a shape, and its selected faces; of a body's last feature the
-    body, which stays when further features come. A Mesh object counts as well. Raises InputError
-    where there are several."""
+    """The selected object that has a shape, and its selected faces and edges; of a body's last
+    feature the body, which stays when further features come. A Mesh object counts as well. Raises
+    InputError where there are several."""
     found: Dict[Any, List[str]] = {}
     for entry in FreeCADGui.Selection.getSelectionEx():
         if faceted.is_mesh(entry.Object):
             found[entry.Object] = []
         elif _has_shape(entry.Object):
-            owner, faces = _of_body(entry.Object, entry.SubElementNames)
-            found.setdefault(owner, []).extend(faces)
+            owner, names = _of_body(entry.Object, entry.SubElementNames)
+            found.setdefault(owner, []).extend(names)
     if len(found) > 1:
         labels = ", ".join(owner.Label for owner in found)
         raise InputError("", "Select one shape, not several ({}): a layer mesh is of one, which "
@@ -52,11 +52,11 @@ def source() -> Optional[Tuple[Any, List[str]]]:
 
 
 def _of_body(document_object, names) -> Tuple[Any, List[str]]:
-    faces = [name for name in names if name.startswith("Face")]
+    picked = [name for name in names if name.startswith(("Face", "Edge"))]
     body = document_object.getParentGeoFeatureGroup()
     if getattr(body, "Tip", None) is not document_object:
-        return document_object, faces
-    return body, names_on(body, [(document_object, faces)])
+        return document_object, picked
+    return body, names_on(body, [(document_object, picked)])
 
 
 def picks() -> List[Pick]:

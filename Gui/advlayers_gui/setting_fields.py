@@ -4,8 +4,9 @@ from __future__ import annotations
 import contextlib
 import math
 import re
-from typing import Any, Callable, Iterable, List, Optional
+from typing import Any, Callable, Dict, Iterable, List, Optional
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
@@ -14,6 +15,7 @@ from advlayers.initial_mesh import holds_mesh
 from advlayers.language import tr, tr_doc
 from advlayers.properties import from_property, to_property
 from advlayers.settings_table import Setting, label, property_name, unset_value
+from advlayers_gui.decimal_sign import accept_both
 
 _HIGHEST = 1e9  # where a setting has no bound of its own
 _HIGHEST_NUMBER = 1000.0  # of numbers without a unit: growths and ratios
@@ -21,6 +23,8 @@ _MOST = 1_000_000
 # What a field has to have room for; where its label leaves less, the field goes below the label.
 _LEAST_TEXT = "00.00 mm"
 _LEAST_NUMBER = "0.0000"
+_UNSEEN = "color: transparent"
+_DIGITS = 6  # of a length or an angle
 _QUANTITY_BUTTONS = 36  # [pixels] for the sign of an expression and the arrows
 _BUTTONS = 24
 
@@ -42,6 +46,9 @@ class Field:
         """Calls when the user is done with an entry."""
         raise NotImplementedError
 
+    def on_typed(self, act: Callable[[Any], None]) -> None:
+        """Calls with the value as it is being typed, where it is one."""
+
     def bind(self, document_object) -> None:
         """Offers expressions, where the widget can."""
 
@@ -54,6 +61,9 @@ class Field:
 
     def enable(self, on: bool) -> None:
         self.widget.setEnabled(on)
+
+    def blank(self) -> None:
+        """Shows no value, where the widget can."""
 
     def release(self) -> None:
         """Lets go of the widget."""
@@ -72,8 +82,28 @@ class RoundingField(Field):
         return self._exact if held == self._rounded else held
 
     def show(self, value: float) -> None:
+        self.widget.setStyleSheet("")
         self._hold(value)
         self._rounded, self._exact = self._held(), value
+
+    def blank(self) -> None:
+        # FreeCAD writes its number again whenever the widget is shown.
+        self.widget.setStyleSheet(_UNSEEN)
+
+    def on_typed(self, act: Callable[[Any], None]) -> None:
+        def typed(text: str) -> None:
+            value = self._read(text)
+            if value is not None:
+                act(value)
+
+        self.widget.findChild(QtGui.QLineEdit).textEdited.connect(typed)
+
+    def _read(self, text: str) -> Optional[float]:
+        """Of an entry that may be unfinished."""
+        try:
+            return float(text.replace(",", "."))
+        except ValueError:
+            return None
 
     def _held(self) -> float:
         """By the widget."""
@@ -93,12 +123,33 @@ class QuantityField(RoundingField):
         self.widget.setProperty("minimum", entry.low if entry.low is not None else -_HIGHEST)
         self.widget.setProperty("maximum", entry.high if entry.high is not None else _HIGHEST)
         self.widget.setProperty("keyboardTracking", False)
+        self._unit = FreeCAD.Units.Quantity(f"1 {entry.unit}").Unit
+        self._shown_unit = entry.unit
+        accept_both(self.widget)
 
     def _held(self) -> float:
         return float(self.widget.property("rawValue"))
 
     def _hold(self, value: float) -> None:
-        self.widget.setProperty("rawValue", float(value))
+        """With digits that mean something: FreeCAD shows two decimals, and takes what it shows for
+        the value: 0.1 mm would be 0.00 in."""
+        quantity = FreeCAD.Units.Quantity(float(value), self._unit)
+        quantity.Format = {"Precision": _DIGITS, "NumberFormat": "g", "Denominator": 8}
+        self._shown_unit = quantity.getUserPreferred()[2]
+        if not self.widget.setProperty("value", quantity) or not self._holds(value):
+            self.widget.setProperty("rawValue", float(value))
+
+    def _holds(self, value: float) -> bool:
+        return math.isclose(self._held(), value, rel_tol=10.0 ** (2 - _DIGITS))
+
+    def _read(self, text: str) -> Optional[float]:
+        bare = super()._read(text)
+        entry = text.replace(",", ".") if bare is None else f"{bare} {self._shown_unit}"
+        try:
+            quantity = FreeCAD.Units.Quantity(entry)
+        except (ValueError, OSError):
+            return None
+        return quantity.Value if quantity.Unit == self._unit else None
 
     def on_edited(self, act: Callable[[], None]) -> None:
         self.widget.editingFinished.connect(act)
@@ -143,6 +194,7 @@ class NumberField(RoundingField):
         self.widget.setRange(entry.low if entry.low is not None else -_HIGHEST_NUMBER,
                              entry.high if entry.high is not None else _HIGHEST_NUMBER)
         self.widget.setKeyboardTracking(False)
+        accept_both(self.widget)
 
     def _held(self) -> float:
         return self.widget.value()
@@ -322,8 +374,12 @@ class SettingsForm:
 
     def __init__(self, document_object, entries: Iterable[Setting], layout,
                  on_edited: Callable[[], None], on_refused: Callable[[str], None],
-                 optional: bool = False) -> None:
-        """`optional`: each row has a box to tick for a value that is given."""
+                 on_typed: Callable[[Dict[str, Any]], None],
+                 inherited: Optional[Callable[[Setting], Any]] = None) -> None:
+        """`on_typed` gets a setting and its value while it is being typed. `inherited`: each row
+        has a box to tick for a value that is given, and shows what holds without one in grey."""
+        optional = inherited is not None
+        self._inherited = inherited
         self._object, self._on_edited, self._on_refused = document_object, on_edited, on_refused
         layout.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         layout.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
@@ -337,10 +393,13 @@ class SettingsForm:
         widest = max((title.sizeHint().width() for title in titles), default=0)
         for title in titles:
             title.setMinimumWidth(widest + gap)
-        self.load()
+        self._loading = True
         for field in self._fields:
             field.on_edited(self._edited)
+            field.on_typed(
+                lambda value, key=field.entry.key: on_typed({key: value}))
             field.bind(document_object)
+        self.load()
 
     def _add(self, entry: Setting, layout, optional: bool):
         """Returns the row's title."""
@@ -350,10 +409,12 @@ class SettingsForm:
         field.widget.setMinimumWidth(field.least_width())
         title = QtGui.QCheckBox(label_of(entry)) if optional else QtGui.QLabel(label_of(entry))
         title.setToolTip(tooltip_of(entry))
+        for widget in (title, field.widget):
+            widget.setWhatsThis(f"<b>{label_of(entry)}</b><br>{tooltip_of(entry)}")
+        field.widget.setAccessibleName(label_of(entry))
         if optional:
             title.setObjectName(f"{name}_given")
-            title.toggled.connect(field.enable)
-            title.toggled.connect(lambda _on: self._edited())
+            title.toggled.connect(lambda on: self._give(field, on))
         layout.addRow(title, field.widget)
         self._fields.append(field)
         self._given.append(title if optional else None)
@@ -369,7 +430,25 @@ class SettingsForm:
                 field.enable(known)
             if known:
                 field.show(value)
+            else:
+                self._show_inherited(field)
         self._loading = False
+
+    def _give(self, field: Field, on: bool) -> None:
+        """A box was ticked, or not any more: the value begins with what held until now."""
+        field.enable(on)
+        if not self._show_inherited(field) and on:
+            field.show(field.entry.default or field.entry.low or 0)
+        self._edited()
+
+    def _show_inherited(self, field: Field) -> bool:
+        """Whether there is such a value."""
+        value = self._inherited(field.entry)
+        if value is None:
+            field.blank()
+        else:
+            field.show(value)
+        return value is not None
 
     def store(self) -> None:
         """Writes what differs; a property that an expression rules keeps its expression. Raises

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import contextlib
-from typing import Any, Callable
+from typing import Any, Callable, Set
 
 import FreeCAD
 import FreeCADGui
@@ -13,13 +13,15 @@ from advlayers.controls import children, is_control, mesh_of
 from advlayers.errors import InputError
 from advlayers.freecad_versions import Stateless
 from advlayers.language import tr
-from advlayers.layer_mesh import LOST_REFERENCES, OUT_OF_DATE
+from advlayers.layer_mesh import LOST_REFERENCES, OUT_OF_DATE, SOURCE_IN_ERROR
 from advlayers.properties import HIDDEN
+from advlayers_gui import view_3d
 from advlayers_gui.command import show_error
 from advlayers_gui.resources import icon
 from advlayers_gui.field_modes import FieldView
 
 _GONE = (ReferenceError, RuntimeError)  # the document was closed, the object was deleted
+_to_fit: Set[str] = set()  # names of documents
 _NOTHING = "Nothing"  # the display mode of what has no picture of its own
 
 
@@ -50,8 +52,8 @@ class EditedInPanel:
 
     def unsetEdit(self, _view_object, _mode=0) -> bool:
         if self.panel is not None:
-            self.panel.leave()
-            self.panel = None
+            panel, self.panel = self.panel, None
+            panel.leave_unasked()
             FreeCADGui.Control.closeDialog()
         return True
 
@@ -108,7 +110,8 @@ class LayerMeshView(Stateless, EditedInPanel, FieldView):
                 view_object.show()
 
     def getIcon(self) -> str:
-        stale = self._object is not None and self._object.State in (OUT_OF_DATE, LOST_REFERENCES)
+        stale = self._object is not None and self._object.State in (
+            OUT_OF_DATE, LOST_REFERENCES, SOURCE_IN_ERROR)
         return icon("AdvLayers_LayerMesh_Stale" if stale else "AdvLayers_LayerMesh")
 
     def updateData(self, mesh_object, name: str) -> None:
@@ -182,13 +185,28 @@ def attach_to(document_object) -> None:
 
 def _show_restored(document_object) -> None:
     """FreeCAD hides all that a file says nothing of, and one saved without a window says nothing:
-    its document would open as an empty view."""
+    its document would open as an empty view, and one that looks elsewhere."""
+    _fit_soon(document_object.Document.Name)
     if is_control(document_object):
         document_object.ViewObject.Visibility = True
     elif document_object.FemMesh.FaceCount:
         show_mesh(document_object)
     elif document_object.Part is not None:
         document_object.Part.ViewObject.Visibility = True
+
+
+def _fit_soon(name: str) -> None:
+    """Once the document is open, and once for all of its objects."""
+    if name in _to_fit:
+        return
+
+    def fit() -> None:
+        _to_fit.discard(name)
+        if name in FreeCAD.listDocuments():
+            view_3d.fit_all(FreeCAD.getDocument(name))
+
+    _to_fit.add(name)
+    QtCore.QTimer.singleShot(0, fit)
 
 
 def _give_provider(document_object, view_object) -> None:

@@ -233,10 +233,21 @@
     </message>
 </context>
 <context>
+    <name>AdvLayers_Help</name>
+    <message>
+        <source>Help on Advancing Layers</source>
+        <translation>Hilfe zu Advancing Layers</translation>
+    </message>
+    <message>
+        <source>Opens the manual: first steps, every setting, the method</source>
+        <translation>Öffnet das Handbuch: erste Schritte, jede Einstellung, das Verfahren</translation>
+    </message>
+</context>
+<context>
     <name>AdvLayers_LayerMesh</name>
     <message>
-        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges</source>
-        <translation>Erzeugt ein Oberflächennetz, vorwiegend aus Vierecken, der gewählten Form oder Flächen, mit Schichten entlang ihrer Kanten</translation>
+        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges, or along the selected ones</source>
+        <translation>Erstellt ein Flächennetz vorwiegend aus Vierecken für die ausgewählte Form oder Flächen, mit Schichten an ihren Kanten oder an den ausgewählten</translation>
     </message>
     <message>
         <source>Layer Mesh…</source>
@@ -316,8 +327,8 @@
         <translation>&gt; {} mm, {} der Diagonale der Form</translation>
     </message>
     <message>
-        <source>A click shows the place</source>
-        <translation>Ein Klick zeigt die Stelle</translation>
+        <source>A click shows the place; another one on the same line the next</source>
+        <translation>Ein Klick zeigt die Stelle, ein weiterer auf dieselbe Zeile die nächste</translation>
     </message>
     <message>
         <source>A click shows where layers end too early, or where the first height is most off</source>
@@ -326,6 +337,10 @@
     <message>
         <source>A named group of the selected faces and edges</source>
         <translation>Eine benannte Gruppe der gewählten Flächen und Kanten</translation>
+    </message>
+    <message>
+        <source>A range of the colours other than that of the field</source>
+        <translation>Ein anderer Bereich der Farben als der des Feldes</translation>
     </message>
     <message>
         <source>A size of their own for the selected faces, edges and vertices</source>
@@ -344,12 +359,32 @@
         <translation>Erweitert</translation>
     </message>
     <message>
+        <source>All holes</source>
+        <translation>Alle Löcher</translation>
+    </message>
+    <message>
+        <source>All that are not selected</source>
+        <translation>Alles, was nicht ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Immer</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
         <source>Angles from</source>
         <translation>Winkel von</translation>
+    </message>
+    <message>
+        <source>Arcs with the radius of the selected ones</source>
+        <translation>Bögen mit dem Radius der ausgewählten</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Wie üblich</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -368,12 +403,20 @@
         <translation>Rückseite</translation>
     </message>
     <message>
+        <source>Beside other meshers</source>
+        <translation>Neben anderen Vernetzern</translation>
+    </message>
+    <message>
         <source>Both ends</source>
         <translation>Beide Enden</translation>
     </message>
     <message>
         <source>Boundary</source>
         <translation>Rand</translation>
+    </message>
+    <message>
+        <source>By group</source>
+        <translation>Nach Gruppe</translation>
     </message>
     <message>
         <source>CFD: layers from all sharp edges</source>
@@ -400,12 +443,20 @@
         <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
     </message>
     <message>
+        <source>Closes, and leaves everything as it was before</source>
+        <translation>Schließt und lässt alles, wie es vorher war</translation>
+    </message>
+    <message>
         <source>Cluster</source>
         <translation>Verdichtung</translation>
     </message>
     <message>
         <source>Colour by</source>
         <translation>Einfärben nach</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Farben von</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -424,6 +475,10 @@
         <translation>Krümmungswinkel</translation>
     </message>
     <message>
+        <source>Cut across</source>
+        <translation>Schnitt quer zu</translation>
+    </message>
+    <message>
         <source>Cutting the edges</source>
         <translation>Die Kanten werden geteilt</translation>
     </message>
@@ -440,6 +495,10 @@
         <translation>Richtung</translation>
     </message>
     <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
         <source>Distribution</source>
         <translation>Verteilung</translation>
     </message>
@@ -450,6 +509,10 @@
     <message>
         <source>Edges</source>
         <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Edges as long as the selected ones</source>
+        <translation>Kanten so lang wie die ausgewählten</translation>
     </message>
     <message>
         <source>Edit</source>
@@ -464,6 +527,10 @@
         <translation>Wand, Größe oder Gruppe bearbeiten</translation>
     </message>
     <message>
+        <source>Element edges</source>
+        <translation>Elementkanten</translation>
+    </message>
+    <message>
         <source>End</source>
         <translation>Ende</translation>
     </message>
@@ -474,6 +541,10 @@
     <message>
         <source>Ended by</source>
         <translation>Beendet durch</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Export Mesh</source>
@@ -524,8 +595,16 @@
         <translation>Erste Höhe aus y+</translation>
     </message>
     <message>
+        <source>First height {} is above the size {}: it may be {} at most</source>
+        <translation>Die erste Höhe {} liegt über der Größe {}: sie darf höchstens {} sein</translation>
+    </message>
+    <message>
         <source>First segment</source>
         <translation>Erster Abschnitt</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -534,6 +613,10 @@
     <message>
         <source>Fluid</source>
         <translation>Fluid</translation>
+    </message>
+    <message>
+        <source>Follow References</source>
+        <translation>Referenzen nachführen</translation>
     </message>
     <message>
         <source>FreeCAD document</source>
@@ -548,6 +631,10 @@
         <translation>Netz</translation>
     </message>
     <message>
+        <source>Give one of first height, aspect ratio and turning angle, not several</source>
+        <translation>Nur eines von erster Höhe, Seitenverhältnis und Drehwinkel angeben</translation>
+    </message>
+    <message>
         <source>Gmsh</source>
         <translation>Gmsh</translation>
     </message>
@@ -558,6 +645,10 @@
     <message>
         <source>Gmsh cannot fill the mesh: {}</source>
         <translation>Gmsh kann das Netz nicht füllen: {}</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weitermachen</translation>
     </message>
     <message>
         <source>Group</source>
@@ -588,12 +679,32 @@
         <translation>Ist-Höhe</translation>
     </message>
     <message>
+        <source>Help on Advancing Layers</source>
+        <translation>Hilfe zu Advancing Layers</translation>
+    </message>
+    <message>
+        <source>Hides what lies beyond a plane across this axis</source>
+        <translation>Verbirgt, was jenseits einer Ebene quer zu dieser Achse liegt</translation>
+    </message>
+    <message>
+        <source>Holes by diameter</source>
+        <translation>Löcher nach Durchmesser</translation>
+    </message>
+    <message>
+        <source>How the colours are spread over their range; logarithmic needs numbers above 0</source>
+        <translation>Wie die Farben über ihren Bereich verteilt sind; logarithmisch braucht Zahlen über 0</translation>
+    </message>
+    <message>
         <source>I-DEAS universal</source>
         <translation>I-DEAS Universal</translation>
     </message>
     <message>
         <source>Initial mesh</source>
         <translation>Ausgangsnetz</translation>
+    </message>
+    <message>
+        <source>Inner loops of the selected faces, or of all</source>
+        <translation>Innere Ränder der ausgewählten Flächen, oder aller</translation>
     </message>
     <message>
         <source>Inp elements</source>
@@ -606,6 +717,18 @@
     <message>
         <source>Inverted</source>
         <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>It is the mesh of {}.</source>
+        <translation>Es ist das Netz von {}.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keeps the settings, and a mesh that is finished, and closes</source>
+        <translation>Behält die Einstellungen und ein fertiges Netz und schließt</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -648,8 +771,16 @@
         <translation>Schichten laufen an den gewählten Kanten entlang</translation>
     </message>
     <message>
+        <source>Leaves the panel open</source>
+        <translation>Lässt das Fenster offen</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -688,8 +819,20 @@
         <translation>Vernetzen</translation>
     </message>
     <message>
+        <source>Mesh later</source>
+        <translation>Später vernetzen</translation>
+    </message>
+    <message>
+        <source>Meshes what is out of date, puts the mesh into the document and closes</source>
+        <translation>Vernetzt, was veraltet ist, legt das Netz im Dokument ab und schließt</translation>
+    </message>
+    <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Vernetzt mit den Einstellungen unten; OK übernimmt das Netz danach ins Dokument</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>Min size</source>
@@ -712,6 +855,10 @@
         <translation>Nastran</translation>
     </message>
     <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
         <source>Neither Gmsh nor Netgen is installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
         <translation>Weder Gmsh noch Netgen ist installiert: das Paket gmsh installieren oder FreeCAD unter Bearbeiten &gt; Einstellungen &gt; FEM &gt; Gmsh sagen, wo es liegt</translation>
     </message>
@@ -724,8 +871,16 @@
         <translation>Netgen kann Vierecke nicht behalten: Gmsh installieren oder sie teilen</translation>
     </message>
     <message>
+        <source>Never</source>
+        <translation>Nie</translation>
+    </message>
+    <message>
         <source>No layers at the selected edges</source>
         <translation>Keine Schichten an den gewählten Kanten</translation>
+    </message>
+    <message>
+        <source>No walls yet: with Layers from all edges, layers grow from every edge. Select edges in the 3D view and press + Wall for values of their own, + Size for finer places, + Group for boundary conditions.</source>
+        <translation>Noch keine Wände: mit Schichten von allen Kanten wachsen Schichten von jeder Kante. Kanten in der 3D-Ansicht auswählen und + Wand für eigene Werte drücken, + Größe für feinere Stellen, + Gruppe für Randbedingungen.</translation>
     </message>
     <message>
         <source>Nodes</source>
@@ -734,6 +889,10 @@
     <message>
         <source>Not meshed</source>
         <translation>Nicht vernetzt</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Nirgends</translation>
     </message>
     <message>
         <source>Number</source>
@@ -828,6 +987,14 @@
         <translation>Programm</translation>
     </message>
     <message>
+        <source>Puts what is there into the document and closes</source>
+        <translation>Legt im Dokument ab, was da ist, und schließt</translation>
+    </message>
+    <message>
+        <source>Python</source>
+        <translation>Python</translation>
+    </message>
+    <message>
         <source>Quads</source>
         <translation>Vierecke</translation>
     </message>
@@ -892,8 +1059,16 @@
         <translation>Maßstab</translation>
     </message>
     <message>
+        <source>See through</source>
+        <translation>Durchsehen</translation>
+    </message>
+    <message>
         <source>Segments</source>
         <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
     </message>
     <message>
         <source>Select faces and edges in the 3D view.</source>
@@ -936,6 +1111,10 @@
         <translation>Wählt alle Kanten der gewählten Flächen</translation>
     </message>
     <message>
+        <source>Selects holes, sharp edges, similar edges, groups</source>
+        <translation>Wählt Löcher, scharfe Kanten, ähnliche Kanten, Gruppen</translation>
+    </message>
+    <message>
         <source>Selects the edges that go on from the selected ones without a corner</source>
         <translation>Wählt die Kanten, die die gewählten ohne Ecke fortsetzen</translation>
     </message>
@@ -944,8 +1123,20 @@
         <translation>Wählt den ganzen Ring der gewählten Kanten; ist auch eine Fläche gewählt, den auf der Fläche</translation>
     </message>
     <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
         <source>Sew tolerance</source>
         <translation>Nähtoleranz</translation>
+    </message>
+    <message>
+        <source>Sharp edges</source>
+        <translation>Scharfe Kanten</translation>
+    </message>
+    <message>
+        <source>Shows what is behind the faces</source>
+        <translation>Zeigt, was hinter den Flächen ist</translation>
     </message>
     <message>
         <source>Size</source>
@@ -962,6 +1153,10 @@
     <message>
         <source>Smooth</source>
         <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Solvers and file formats</source>
+        <translation>Löser und Dateiformate</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -996,16 +1191,36 @@
         <translation>Tangential</translation>
     </message>
     <message>
+        <source>The changes made here are not kept yet.</source>
+        <translation>Die Änderungen von hier sind noch nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>The finished mesh is not in the document yet.</source>
+        <translation>Das fertige Netz ist noch nicht im Dokument.</translation>
+    </message>
+    <message>
         <source>The mesh is out of date: settings or model have changed.</source>
         <translation>Das Netz ist veraltet: Einstellungen oder Modell haben sich geändert.</translation>
+    </message>
+    <message>
+        <source>The mesher is still at work.</source>
+        <translation>Der Vernetzer arbeitet noch.</translation>
     </message>
     <message>
         <source>The selected edges bound their faces, however smoothly these meet</source>
         <translation>Die gewählten Kanten begrenzen ihre Flächen, wie glatt diese auch aneinander stoßen</translation>
     </message>
     <message>
+        <source>The shape is in error: mend it first</source>
+        <translation>Die Form ist fehlerhaft: erst beheben</translation>
+    </message>
+    <message>
         <source>There is no mesh yet.</source>
         <translation>Es gibt noch kein Netz.</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet: press Mesh.</source>
+        <translation>Es gibt noch kein Netz: Vernetzen drücken.</translation>
     </message>
     <message>
         <source>There is nothing to complain of.</source>
@@ -1018,6 +1233,10 @@
     <message>
         <source>Thickness share</source>
         <translation>Dickenanteil</translation>
+    </message>
+    <message>
+        <source>Thickness {} is below the first height {}: {} is the least</source>
+        <translation>Die Dicke {} liegt unter der ersten Höhe {}: {} ist das Mindeste</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -1052,6 +1271,10 @@
         <translation>UGRID, Little-Endian</translation>
     </message>
     <message>
+        <source>Undo would take back all of this panel.</source>
+        <translation>Rückgängig nähme alles aus diesem Fenster zurück.</translation>
+    </message>
+    <message>
         <source>Until isotropic</source>
         <translation>Bis isotrop</translation>
     </message>
@@ -1084,6 +1307,10 @@
         <translation>Werte</translation>
     </message>
     <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
         <source>Viscosity</source>
         <translation>Viskosität</translation>
     </message>
@@ -1108,8 +1335,16 @@
         <translation>Wavefront</translation>
     </message>
     <message>
+        <source>What is checked</source>
+        <translation>Was geprüft wird</translation>
+    </message>
+    <message>
         <source>What the colours of the elements in the 3D view stand for</source>
         <translation>Wofür die Farben der Elemente in der 3D-Ansicht stehen</translation>
+    </message>
+    <message>
+        <source>When the edges of the elements are drawn; near: where they are far enough apart</source>
+        <translation>Wann die Kanten der Elemente gezeichnet werden; nah: wo sie weit genug auseinander liegen</translation>
     </message>
     <message>
         <source>Y plus</source>
@@ -2220,6 +2455,18 @@
         <translation>{} hat keinen Wert für die Elementgröße: Geben Sie einen an für die Umgebung von {}</translation>
     </message>
     <message>
+        <source>{} has none of these</source>
+        <translation>{} hat nichts davon</translation>
+    </message>
+    <message>
+        <source>{} has the sizes of {}, {} walls, {} local sizes and {} groups.</source>
+        <translation>{} hat die Größen von {}, {} Wände, {} örtliche Größen und {} Gruppen.</translation>
+    </message>
+    <message>
+        <source>{} has {} cells inside {}.</source>
+        <translation>{} hat {} Zellen in {}.</translation>
+    </message>
+    <message>
         <source>{} is called {} now</source>
         <translation>{} heißt jetzt {}</translation>
     </message>
@@ -2238,6 +2485,14 @@
     <message>
         <source>{} is in both {} and {}</source>
         <translation>{} steht sowohl unter {} als auch unter {}</translation>
+    </message>
+    <message>
+        <source>{} is in error, and its shape may be an older one: mend it first</source>
+        <translation>{} ist fehlerhaft, und die Form ist vielleicht eine ältere: erst beheben</translation>
+    </message>
+    <message>
+        <source>{} is in error: the mesh cannot be updated before it is mended.</source>
+        <translation>{} ist fehlerhaft: das Netz kann nicht aktualisiert werden, bevor das behoben ist.</translation>
     </message>
     <message>
         <source>{} is narrower than the tolerance of its edges: it holds no element, and its neighbours meet there</source>
@@ -2368,6 +2623,10 @@
         <translation>{} Form</translation>
     </message>
     <message>
+        <source>{} times, the worst: {}</source>
+        <translation>{}-mal, am schlimmsten: {}</translation>
+    </message>
+    <message>
         <source>{} volume</source>
         <translation>{} Volumen</translation>
     </message>
@@ -2490,6 +2749,10 @@
     <message>
         <source>{}: the mesh of this step is not kept any more: update it.</source>
         <translation>{}: Das Netz dieses Schritts ist nicht mehr aufbewahrt: aktualisieren Sie es.</translation>
+    </message>
+    <message>
+        <source>{}: the panel was closed from outside; its finished mesh was kept.</source>
+        <translation>{}: das Fenster wurde von außen geschlossen; sein fertiges Netz wurde behalten.</translation>
     </message>
     <message>
         <source>{}: the {} file is damaged: its reader crashes on it ({})</source>

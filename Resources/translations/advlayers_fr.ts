@@ -233,10 +233,21 @@
     </message>
 </context>
 <context>
+    <name>AdvLayers_Help</name>
+    <message>
+        <source>Help on Advancing Layers</source>
+        <translation>Aide sur Advancing Layers</translation>
+    </message>
+    <message>
+        <source>Opens the manual: first steps, every setting, the method</source>
+        <translation>Ouvre le manuel : premiers pas, chaque réglage, la méthode</translation>
+    </message>
+</context>
+<context>
     <name>AdvLayers_LayerMesh</name>
     <message>
-        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges</source>
-        <translation>Crée un maillage surfacique, surtout de quadrangles, de la forme ou des faces sélectionnées, avec des couches le long de ses arêtes</translation>
+        <source>Creates a quad-dominant surface mesh of the selected shape or faces, with layers along its edges, or along the selected ones</source>
+        <translation>Crée un maillage surfacique surtout en quadrilatères de la forme ou des faces sélectionnées, avec des couches le long de ses arêtes ou de celles sélectionnées</translation>
     </message>
     <message>
         <source>Layer Mesh…</source>
@@ -316,8 +327,8 @@
         <translation>&gt; {} mm, {} de la diagonale de la forme</translation>
     </message>
     <message>
-        <source>A click shows the place</source>
-        <translation>Un clic montre l'endroit</translation>
+        <source>A click shows the place; another one on the same line the next</source>
+        <translation>Un clic montre l'endroit ; un autre sur la même ligne le suivant</translation>
     </message>
     <message>
         <source>A click shows where layers end too early, or where the first height is most off</source>
@@ -326,6 +337,10 @@
     <message>
         <source>A named group of the selected faces and edges</source>
         <translation>Un groupe nommé des faces et arêtes sélectionnées</translation>
+    </message>
+    <message>
+        <source>A range of the colours other than that of the field</source>
+        <translation>Une autre étendue des couleurs que celle du champ</translation>
     </message>
     <message>
         <source>A size of their own for the selected faces, edges and vertices</source>
@@ -344,12 +359,32 @@
         <translation>Avancé</translation>
     </message>
     <message>
+        <source>All holes</source>
+        <translation>Tous les trous</translation>
+    </message>
+    <message>
+        <source>All that are not selected</source>
+        <translation>Tout ce qui n'est pas sélectionné</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Toujours</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>Angle</translation>
     </message>
     <message>
         <source>Angles from</source>
         <translation>Angles de</translation>
+    </message>
+    <message>
+        <source>Arcs with the radius of the selected ones</source>
+        <translation>Arcs du même rayon que ceux sélectionnés</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Comme d'habitude</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -368,12 +403,20 @@
         <translation>Arrière</translation>
     </message>
     <message>
+        <source>Beside other meshers</source>
+        <translation>À côté d'autres mailleurs</translation>
+    </message>
+    <message>
         <source>Both ends</source>
         <translation>Deux bouts</translation>
     </message>
     <message>
         <source>Boundary</source>
         <translation>Bord</translation>
+    </message>
+    <message>
+        <source>By group</source>
+        <translation>Par groupe</translation>
     </message>
     <message>
         <source>CFD: layers from all sharp edges</source>
@@ -400,12 +443,20 @@
         <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
     </message>
     <message>
+        <source>Closes, and leaves everything as it was before</source>
+        <translation>Ferme et laisse tout comme avant</translation>
+    </message>
+    <message>
         <source>Cluster</source>
         <translation>Resserrement</translation>
     </message>
     <message>
         <source>Colour by</source>
         <translation>Colorer selon</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Couleurs de</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -424,6 +475,10 @@
         <translation>Angle de courbure</translation>
     </message>
     <message>
+        <source>Cut across</source>
+        <translation>Coupe suivant</translation>
+    </message>
+    <message>
         <source>Cutting the edges</source>
         <translation>Découpage des arêtes</translation>
     </message>
@@ -440,6 +495,10 @@
         <translation>Direction</translation>
     </message>
     <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
         <source>Distribution</source>
         <translation>Répartition</translation>
     </message>
@@ -450,6 +509,10 @@
     <message>
         <source>Edges</source>
         <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Edges as long as the selected ones</source>
+        <translation>Arêtes aussi longues que celles sélectionnées</translation>
     </message>
     <message>
         <source>Edit</source>
@@ -464,6 +527,10 @@
         <translation>Modifier la paroi, la taille ou le groupe</translation>
     </message>
     <message>
+        <source>Element edges</source>
+        <translation>Arêtes des éléments</translation>
+    </message>
+    <message>
         <source>End</source>
         <translation>Fin</translation>
     </message>
@@ -474,6 +541,10 @@
     <message>
         <source>Ended by</source>
         <translation>Terminé par</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Régulière</translation>
     </message>
     <message>
         <source>Export Mesh</source>
@@ -524,8 +595,16 @@
         <translation>Première hauteur d'après y+</translation>
     </message>
     <message>
+        <source>First height {} is above the size {}: it may be {} at most</source>
+        <translation>La première hauteur {} dépasse la taille {} : elle peut être de {} au plus</translation>
+    </message>
+    <message>
         <source>First segment</source>
         <translation>Premier segment</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -534,6 +613,10 @@
     <message>
         <source>Fluid</source>
         <translation>Fluide</translation>
+    </message>
+    <message>
+        <source>Follow References</source>
+        <translation>Suivre les références</translation>
     </message>
     <message>
         <source>FreeCAD document</source>
@@ -548,6 +631,10 @@
         <translation>Général</translation>
     </message>
     <message>
+        <source>Give one of first height, aspect ratio and turning angle, not several</source>
+        <translation>Donner une seule valeur parmi première hauteur, rapport d'aspect et angle de rotation</translation>
+    </message>
+    <message>
         <source>Gmsh</source>
         <translation>Gmsh</translation>
     </message>
@@ -558,6 +645,10 @@
     <message>
         <source>Gmsh cannot fill the mesh: {}</source>
         <translation>Gmsh ne peut pas remplir le maillage : {}</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Continuer</translation>
     </message>
     <message>
         <source>Group</source>
@@ -588,12 +679,32 @@
         <translation>Hauteur obtenue</translation>
     </message>
     <message>
+        <source>Help on Advancing Layers</source>
+        <translation>Aide sur Advancing Layers</translation>
+    </message>
+    <message>
+        <source>Hides what lies beyond a plane across this axis</source>
+        <translation>Cache ce qui est au-delà d'un plan perpendiculaire à cet axe</translation>
+    </message>
+    <message>
+        <source>Holes by diameter</source>
+        <translation>Trous par diamètre</translation>
+    </message>
+    <message>
+        <source>How the colours are spread over their range; logarithmic needs numbers above 0</source>
+        <translation>Comment les couleurs sont réparties ; logarithmique demande des nombres au-dessus de 0</translation>
+    </message>
+    <message>
         <source>I-DEAS universal</source>
         <translation>I-DEAS universel</translation>
     </message>
     <message>
         <source>Initial mesh</source>
         <translation>Maillage initial</translation>
+    </message>
+    <message>
+        <source>Inner loops of the selected faces, or of all</source>
+        <translation>Contours intérieurs des faces sélectionnées, ou de toutes</translation>
     </message>
     <message>
         <source>Inp elements</source>
@@ -606,6 +717,18 @@
     <message>
         <source>Inverted</source>
         <translation>Inversés</translation>
+    </message>
+    <message>
+        <source>It is the mesh of {}.</source>
+        <translation>C'est le maillage de {}.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>Keeps the settings, and a mesh that is finished, and closes</source>
+        <translation>Garde les réglages et un maillage terminé, et ferme</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -648,8 +771,16 @@
         <translation>Les couches courent le long des arêtes sélectionnées</translation>
     </message>
     <message>
+        <source>Leaves the panel open</source>
+        <translation>Laisse le panneau ouvert</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmique</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -688,8 +819,20 @@
         <translation>Mailler</translation>
     </message>
     <message>
+        <source>Mesh later</source>
+        <translation>Mailler plus tard</translation>
+    </message>
+    <message>
+        <source>Meshes what is out of date, puts the mesh into the document and closes</source>
+        <translation>Maille ce qui est périmé, met le maillage dans le document et ferme</translation>
+    </message>
+    <message>
         <source>Meshes with the settings below; OK then puts the mesh into the document</source>
         <translation>Maille avec les réglages ci-dessous ; OK met ensuite le maillage dans le document</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
     </message>
     <message>
         <source>Min size</source>
@@ -712,6 +855,10 @@
         <translation>Nastran</translation>
     </message>
     <message>
+        <source>Near</source>
+        <translation>De près</translation>
+    </message>
+    <message>
         <source>Neither Gmsh nor Netgen is installed: install the package gmsh, or tell FreeCAD where it is under Edit &gt; Preferences &gt; FEM &gt; Gmsh</source>
         <translation>Ni Gmsh ni Netgen n'est installé : installez le paquet gmsh, ou indiquez à FreeCAD où il est sous Édition &gt; Préférences &gt; FEM &gt; Gmsh</translation>
     </message>
@@ -724,8 +871,16 @@
         <translation>Netgen ne peut pas garder les quadrangles : installez Gmsh ou coupez-les</translation>
     </message>
     <message>
+        <source>Never</source>
+        <translation>Jamais</translation>
+    </message>
+    <message>
         <source>No layers at the selected edges</source>
         <translation>Pas de couches aux arêtes sélectionnées</translation>
+    </message>
+    <message>
+        <source>No walls yet: with Layers from all edges, layers grow from every edge. Select edges in the 3D view and press + Wall for values of their own, + Size for finer places, + Group for boundary conditions.</source>
+        <translation>Pas encore de parois : avec Couches depuis toutes les arêtes, des couches poussent depuis chaque arête. Sélectionner des arêtes dans la vue 3D et presser + Paroi pour leurs propres valeurs, + Taille pour des endroits plus fins, + Groupe pour des conditions aux limites.</translation>
     </message>
     <message>
         <source>Nodes</source>
@@ -734,6 +889,10 @@
     <message>
         <source>Not meshed</source>
         <translation>Non maillé</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Nulle part</translation>
     </message>
     <message>
         <source>Number</source>
@@ -828,6 +987,14 @@
         <translation>Programme</translation>
     </message>
     <message>
+        <source>Puts what is there into the document and closes</source>
+        <translation>Met dans le document ce qui est là et ferme</translation>
+    </message>
+    <message>
+        <source>Python</source>
+        <translation>Python</translation>
+    </message>
+    <message>
         <source>Quads</source>
         <translation>Quadrangles</translation>
     </message>
@@ -892,8 +1059,16 @@
         <translation>Échelle</translation>
     </message>
     <message>
+        <source>See through</source>
+        <translation>Transparence</translation>
+    </message>
+    <message>
         <source>Segments</source>
         <translation>Segments</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
     </message>
     <message>
         <source>Select faces and edges in the 3D view.</source>
@@ -936,6 +1111,10 @@
         <translation>Sélectionne toutes les arêtes des faces sélectionnées</translation>
     </message>
     <message>
+        <source>Selects holes, sharp edges, similar edges, groups</source>
+        <translation>Sélectionne trous, arêtes vives, arêtes semblables, groupes</translation>
+    </message>
+    <message>
         <source>Selects the edges that go on from the selected ones without a corner</source>
         <translation>Sélectionne les arêtes qui prolongent celles sélectionnées sans coin</translation>
     </message>
@@ -944,8 +1123,20 @@
         <translation>Sélectionne toute la boucle des arêtes sélectionnées ; si une face l'est aussi, celle de la face</translation>
     </message>
     <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
         <source>Sew tolerance</source>
         <translation>Tol. de couture</translation>
+    </message>
+    <message>
+        <source>Sharp edges</source>
+        <translation>Arêtes vives</translation>
+    </message>
+    <message>
+        <source>Shows what is behind the faces</source>
+        <translation>Montre ce qui est derrière les faces</translation>
     </message>
     <message>
         <source>Size</source>
@@ -962,6 +1153,10 @@
     <message>
         <source>Smooth</source>
         <translation>Lisse</translation>
+    </message>
+    <message>
+        <source>Solvers and file formats</source>
+        <translation>Solveurs et formats de fichier</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -996,16 +1191,36 @@
         <translation>Tangente</translation>
     </message>
     <message>
+        <source>The changes made here are not kept yet.</source>
+        <translation>Les changements faits ici ne sont pas encore gardés.</translation>
+    </message>
+    <message>
+        <source>The finished mesh is not in the document yet.</source>
+        <translation>Le maillage terminé n'est pas encore dans le document.</translation>
+    </message>
+    <message>
         <source>The mesh is out of date: settings or model have changed.</source>
         <translation>Le maillage est obsolète : les réglages ou le modèle ont changé.</translation>
+    </message>
+    <message>
+        <source>The mesher is still at work.</source>
+        <translation>Le mailleur travaille encore.</translation>
     </message>
     <message>
         <source>The selected edges bound their faces, however smoothly these meet</source>
         <translation>Les arêtes sélectionnées bordent leurs faces, si lisse que soit leur raccord</translation>
     </message>
     <message>
+        <source>The shape is in error: mend it first</source>
+        <translation>La forme est en erreur : à réparer d'abord</translation>
+    </message>
+    <message>
         <source>There is no mesh yet.</source>
         <translation>Il n'y a pas encore de maillage.</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet: press Mesh.</source>
+        <translation>Il n'y a pas encore de maillage : presser Mailler.</translation>
     </message>
     <message>
         <source>There is nothing to complain of.</source>
@@ -1018,6 +1233,10 @@
     <message>
         <source>Thickness share</source>
         <translation>Part d'épaisseur</translation>
+    </message>
+    <message>
+        <source>Thickness {} is below the first height {}: {} is the least</source>
+        <translation>L'épaisseur {} est sous la première hauteur {} : {} est le minimum</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -1052,6 +1271,10 @@
         <translation>UGRID, petit-boutiste</translation>
     </message>
     <message>
+        <source>Undo would take back all of this panel.</source>
+        <translation>Annuler reprendrait tout ce panneau.</translation>
+    </message>
+    <message>
         <source>Until isotropic</source>
         <translation>Jusqu'à l'isotropie</translation>
     </message>
@@ -1084,6 +1307,10 @@
         <translation>Valeurs</translation>
     </message>
     <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
         <source>Viscosity</source>
         <translation>Viscosité</translation>
     </message>
@@ -1108,8 +1335,16 @@
         <translation>Wavefront</translation>
     </message>
     <message>
+        <source>What is checked</source>
+        <translation>Ce qui est vérifié</translation>
+    </message>
+    <message>
         <source>What the colours of the elements in the 3D view stand for</source>
         <translation>Ce que signifient les couleurs des éléments dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>When the edges of the elements are drawn; near: where they are far enough apart</source>
+        <translation>Quand les arêtes des éléments sont dessinées ; de près : là où elles sont assez écartées</translation>
     </message>
     <message>
         <source>Y plus</source>
@@ -2220,6 +2455,18 @@
         <translation>{} n'a pas de valeur pour la taille : donnez-en une pour les environs de {}</translation>
     </message>
     <message>
+        <source>{} has none of these</source>
+        <translation>{} n'en a aucun</translation>
+    </message>
+    <message>
+        <source>{} has the sizes of {}, {} walls, {} local sizes and {} groups.</source>
+        <translation>{} a les tailles de {}, {} parois, {} tailles locales et {} groupes.</translation>
+    </message>
+    <message>
+        <source>{} has {} cells inside {}.</source>
+        <translation>{} a {} cellules dans {}.</translation>
+    </message>
+    <message>
         <source>{} is called {} now</source>
         <translation>{} s'appelle maintenant {}</translation>
     </message>
@@ -2238,6 +2485,14 @@
     <message>
         <source>{} is in both {} and {}</source>
         <translation>{} est à la fois dans {} et dans {}</translation>
+    </message>
+    <message>
+        <source>{} is in error, and its shape may be an older one: mend it first</source>
+        <translation>{} est en erreur, et sa forme est peut-être ancienne : à réparer d'abord</translation>
+    </message>
+    <message>
+        <source>{} is in error: the mesh cannot be updated before it is mended.</source>
+        <translation>{} est en erreur : le maillage ne peut être mis à jour avant sa réparation.</translation>
     </message>
     <message>
         <source>{} is narrower than the tolerance of its edges: it holds no element, and its neighbours meet there</source>
@@ -2368,6 +2623,10 @@
         <translation>{} forme</translation>
     </message>
     <message>
+        <source>{} times, the worst: {}</source>
+        <translation>{} fois, le pire : {}</translation>
+    </message>
+    <message>
         <source>{} volume</source>
         <translation>{} volume</translation>
     </message>
@@ -2490,6 +2749,10 @@
     <message>
         <source>{}: the mesh of this step is not kept any more: update it.</source>
         <translation>{} : le maillage de cette étape n'est plus conservé : mettez-le à jour.</translation>
+    </message>
+    <message>
+        <source>{}: the panel was closed from outside; its finished mesh was kept.</source>
+        <translation>{} : le panneau a été fermé de l'extérieur ; son maillage terminé a été gardé.</translation>
     </message>
     <message>
         <source>{}: the {} file is damaged: its reader crashes on it ({})</source>

@@ -9,6 +9,7 @@
 #include "boundary/edge_creases.h"
 #include "boundary/edge_overshoot.h"
 #include "boundary/facing_joints.h"
+#include "boundary/facing_parts.h"
 #include "boundary/facing_stretches.h"
 #include "boundary/joined_edges.h"
 #include "boundary/layers_along.h"
@@ -49,7 +50,8 @@ bool is_cut_by(const SizeSpec& spec) {
 class Discretizer {
  public:
   Discretizer(const RunContext& context, Evaluator& evaluator, const Settings& settings,
-              const std::vector<MatchEnd>& match_ends, const std::vector<FourSides>& strips)
+              const std::vector<MatchEnd>& match_ends, const std::vector<FourSides>& strips,
+              const std::vector<FourSides>& mapped, const std::vector<EdgePair>& periodic)
       : context_(context),
         evaluator_(evaluator),
         model_(evaluator.model()),
@@ -65,7 +67,9 @@ class Discretizer {
         joint_count_(static_cast<int>(model_.vertices().size())) {
     limits_.normal_angle = std::max(limits_.curve_angle, kNormalAngle);
     choose_faces(settings);
-    choose_strips(strips, match_ends);
+    find_given(match_ends);
+    choose_strips(strips);
+    hold(mapped, periodic);
     make_stretches();
   }
 
@@ -102,18 +106,22 @@ class Discretizer {
     }
   }
 
-  // Strips but for those with edges that the user has cut, or that layers run along.
-  void choose_strips(const std::vector<FourSides>& strips,
-                     const std::vector<MatchEnd>& match_ends) {
-    std::set<EdgeId> along_layers;
-    for (const MatchEnd& match : match_ends) along_layers.insert(match.edge);
-    const auto is_given = [&](const CoEdge& coedge) {
-      const SizeSpec* spec = sizes_.edge_spec(coedge.edge);
-      return (spec != nullptr && is_cut_by(*spec)) || along_layers.count(coedge.edge) > 0;
-    };
+  // Edges that the user has cut, or that layers run along.
+  void find_given(const std::vector<MatchEnd>& match_ends) {
+    given_.assign(model_.edges().size(), 0);
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      const SizeSpec* spec = sizes_.edge_spec(EdgeId(i));
+      if (spec != nullptr && is_cut_by(*spec)) given_[i] = 1;
+    }
+    for (const MatchEnd& match : match_ends) given_[match.edge.index()] = 1;
+  }
+
+  void choose_strips(const std::vector<FourSides>& strips) {
     for (const FourSides& strip : strips) {
       if (std::none_of(strip.sides.begin(), strip.sides.end(), [&](const auto& side) {
-            return std::any_of(side.begin(), side.end(), is_given);
+            return std::any_of(side.begin(), side.end(), [&](const CoEdge& coedge) {
+              return given_[coedge.edge.index()] != 0;
+            });
           })) {
         strips_.push_back(strip);
       }
@@ -162,9 +170,34 @@ class Discretizer {
       if (!sides_[i].empty() && !model_.edges()[i].degenerate) joints[i] = own_joints(EdgeId(i));
     }
     face_joints(context_, evaluator_, strips_, joints);
+    find_facing(joints);
     find_joined();
     joined_.add_joints(joints);
     return joints;
+  }
+
+  // What is made equal to other edges takes no joints for what lies across.
+  void hold(const std::vector<FourSides>& mapped, const std::vector<EdgePair>& periodic) {
+    held_ = given_;
+    for (const EdgePair& pair : periodic) held_[pair.given.index()] = held_[pair.found.index()] = 1;
+    for (const FourSides& face : mapped) {
+      for (const auto& side : face.sides) {
+        for (const CoEdge& coedge : side) held_[coedge.edge.index()] = 1;
+      }
+    }
+  }
+
+  // On all faces but those that are strips as a whole.
+  void find_facing(std::vector<std::vector<double>>& joints) {
+    if (model_.triangular()) return;
+    std::vector<char> wanted(meshed_.begin(), meshed_.end());
+    for (const FourSides& strip : strips_) wanted[strip.face.index()] = 0;
+    FacingEdges facing(context_, evaluator_, sizes_, limits_.curve_angle, held_);
+    for (std::size_t f = 0; f < wanted.size(); ++f) {
+      if (wanted[f] != 0) facing.find(FaceId(f), joints);
+    }
+    facing.face_joints(joints);
+    facing_parts_ = facing.release();
   }
 
   void find_joined() {
@@ -253,7 +286,7 @@ class Discretizer {
   }
 
   void face_strips() {
-    facing_.emplace(context_, strips_, stretches_);
+    facing_.emplace(context_, strips_, facing_parts_, stretches_);
     facing_->cut(std::vector<char>(stretches_.all.size(), 1));
     grade();
     for (int round = 0; round < kFacingRounds && facing_->even_out_ends(); ++round) grade();
@@ -443,6 +476,9 @@ class Discretizer {
   std::vector<std::vector<EdgeSpacing::Side>> sides_;  // by EdgeId
   Stretches stretches_;
   std::vector<FourSides> strips_;
+  std::vector<char> given_;  // by EdgeId: how it is cut is not ours to choose
+  std::vector<char> held_;   // the same, and those that others are made equal to
+  std::vector<FacingParts> facing_parts_;
   std::optional<FacingStretches> facing_;
   JoinedEdges joined_;
   std::vector<int> joint_of_parting_;  // -1: none yet
@@ -457,7 +493,7 @@ Discretization discretize(const RunContext& context, Evaluator& evaluator, const
                           const std::vector<FourSides>& strips,
                           const std::vector<FourSides>& mapped,
                           const std::vector<EdgePair>& periodic) {
-  return Discretizer(context, evaluator, settings, match_ends, strips)
+  return Discretizer(context, evaluator, settings, match_ends, strips, mapped, periodic)
       .run(match_ends, mapped, periodic);
 }
 

@@ -12,6 +12,10 @@ namespace {
 constexpr double kMostUnlike = 2.0;
 // Nor may they be so unlike in length: grading would refine one for the other without end.
 constexpr double kMostLonger = 1.4;
+// Parts that face each other across a gap end in the open: none pulls the next one along. But they
+// are many, and all of them together are not to cost many elements.
+constexpr double kMostUnlikeParts = 1.5;
+constexpr double kMostLongerParts = 1.7;
 constexpr double kSameShare = 1e-9;
 
 // The finest of several spacings, each over its own length, as shares of it from 0 to 1.
@@ -61,7 +65,7 @@ class FinestSpacing {
 }  // namespace
 
 FacingStretches::FacingStretches(const RunContext& context, const std::vector<FourSides>& strips,
-                                 Stretches& stretches)
+                                 const std::vector<FacingParts>& parts, Stretches& stretches)
     : context_(context),
       stretches_(stretches),
       groups_(stretches.all.size()),
@@ -77,6 +81,7 @@ FacingStretches::FacingStretches(const RunContext& context, const std::vector<Fo
     add_pairs(strip, pairs);
     ends_.push_back({along(strip.sides[1]), along(strip.sides[3])});
   }
+  for (const FacingParts& facing : parts) add_pairs(facing, pairs);
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.unlikeness < b.unlikeness; });
   for (const Pair& pair : pairs) {
@@ -104,17 +109,50 @@ void FacingStretches::add_pairs(const FourSides& strip, std::vector<Pair>& pairs
   if (a.size() != b.size()) return;
   std::reverse(b.begin(), b.end());  // the loop comes back along it
   for (std::size_t k = 0; k < a.size(); ++k) {
-    const double there = stretches_[a[k].stretch].spacing.count();
-    const double back = stretches_[b[k].stretch].spacing.count();
-    pairs.push_back({a[k], {b[k].stretch, !b[k].reversed}, std::max(there / back, back / there)});
+    add_pair(a[k], {b[k].stretch, !b[k].reversed}, {kMostUnlike, kMostLonger}, pairs);
   }
+}
+
+void FacingStretches::add_pairs(const FacingParts& parts, std::vector<Pair>& pairs) const {
+  const std::vector<Member> a = within(parts.a, false), b = within(parts.b, parts.reversed);
+  if (a.size() != b.size()) return;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    add_pair(a[k], b[k], {kMostUnlikeParts, kMostLongerParts}, pairs);
+}
+
+void FacingStretches::add_pair(const Member& a, const Member& b, const Likeness& least,
+                               std::vector<Pair>& pairs) const {
+  const EdgeSpacing &there = stretches_[a.stretch].spacing, &back = stretches_[b.stretch].spacing;
+  const auto unlikeness = [](double x, double y) { return std::max(x / y, y / x); };
+  const double unlike = unlikeness(there.count(), back.count());
+  if (unlike > least.most_unlike) return;
+  if (unlikeness(there.length(), back.length()) > least.most_longer) return;
+  pairs.push_back({a, b, unlike});
+}
+
+// In the order in which they follow each other along the part.
+std::vector<FacingStretches::Member> FacingStretches::within(const FacingPart& part,
+                                                             bool reversed) const {
+  std::vector<Member> members;
+  for (const std::size_t i : stretches_.of(part.edge)) {
+    const Stretch& stretch = stretches_[i];
+    if (stretch.t_begin < part.t_begin || stretch.t_end > part.t_end) continue;
+    members.push_back({i, reversed});
+  }
+  if (reversed) std::reverse(members.begin(), members.end());
+  return members;
+}
+
+bool FacingStretches::has_given(const std::vector<Member>& group) const {
+  return std::any_of(group.begin(), group.end(), [this](const Member& member) {
+    return stretches_[member.stretch].spacing.fixed();
+  });
 }
 
 void FacingStretches::join(const Pair& pair) {
   const std::size_t a = group_of_[pair.a.stretch], b = group_of_[pair.b.stretch];
-  const double ratio =
-      stretches_[pair.a.stretch].spacing.length() / stretches_[pair.b.stretch].spacing.length();
-  if (a == b || pair.unlikeness > kMostUnlike || std::max(ratio, 1.0 / ratio) > kMostLonger) return;
+  if (a == b) return;
+  if (has_given(groups_[a]) && has_given(groups_[b])) return;
   const bool turned = (pair.a.reversed != pair.b.reversed) !=
                       ((reversed_[pair.a.stretch] != 0) != (reversed_[pair.b.stretch] != 0));
   for (Member member : groups_[b]) {
@@ -132,15 +170,7 @@ void FacingStretches::cut_group(const std::vector<Member>& group) {
     stretches_[group.front().stretch].spacing.cut();
     return;
   }
-  FinestSpacing finest;
-  int required = 1;
-  for (const Member& member : group) {
-    const EdgeSpacing& spacing = stretches_[member.stretch].spacing;
-    finest.add(spacing.wanted(), member.reversed);
-    required = std::max(required, spacing.required());
-  }
-  const std::vector<double> shares =
-      divide_by_spacing(finest.samples(), required, stretches_[group.front().stretch].edge);
+  const std::vector<double> shares = has_given(group) ? given_shares(group) : even_shares(group);
   std::vector<double> from_end;
   for (auto share = shares.rbegin(); share != shares.rend(); ++share) {
     from_end.push_back(1.0 - *share);
@@ -148,6 +178,32 @@ void FacingStretches::cut_group(const std::vector<Member>& group) {
   for (const Member& member : group) {
     stretches_[member.stretch].spacing.cut_at(member.reversed ? from_end : shares);
   }
+}
+
+// Of the one member whose segments are given.
+std::vector<double> FacingStretches::given_shares(const std::vector<Member>& group) {
+  const Member& given = *std::find_if(group.begin(), group.end(), [this](const Member& member) {
+    return stretches_[member.stretch].spacing.fixed();
+  });
+  EdgeSpacing& spacing = stretches_[given.stretch].spacing;
+  spacing.cut();
+  std::vector<double> shares;
+  for (const double cut : spacing.cuts()) shares.push_back(cut / spacing.length());
+  if (!given.reversed) return shares;
+  std::reverse(shares.begin(), shares.end());
+  for (double& share : shares) share = 1.0 - share;
+  return shares;
+}
+
+std::vector<double> FacingStretches::even_shares(const std::vector<Member>& group) const {
+  FinestSpacing finest;
+  int required = 1;
+  for (const Member& member : group) {
+    const EdgeSpacing& spacing = stretches_[member.stretch].spacing;
+    finest.add(spacing.wanted(), member.reversed);
+    required = std::max(required, spacing.required());
+  }
+  return divide_by_spacing(finest.samples(), required, stretches_[group.front().stretch].edge);
 }
 
 void FacingStretches::cut(const std::vector<char>& chosen) {

@@ -25,6 +25,8 @@ constexpr double kLeastRungAngle = 45.0 * kDegree;
 constexpr double kLeastQuadAngle = 35.0 * kDegree;
 constexpr double kLargestQuadAngle = 145.0 * kDegree;
 constexpr double kLeastTipAngle = 8.0 * kDegree;
+// A corner of the CAD has the angle that it has: any other cells there would be thinner still.
+constexpr double kLeastCadTipAngle = 0.05 * kDegree;
 constexpr double kLeastTriangleAngle = 15.0 * kDegree;  // of one across a gap
 // A region that an event closes holds few core triangles; more means that it is no narrow end.
 constexpr std::size_t kMostFaces = 400;
@@ -247,7 +249,9 @@ class Closer {
     if (!tip && (shape.angle > kStripTipAngle || !heads_strip(a))) return false;
     const double ratio = shape.length_prev / shape.length_next;
     if (ratio < 0.5 || ratio > 2.0) return false;
-    if (min_angle(at(b), at(a), at(c)) < kLeastTipAngle) return false;
+    const bool of_cad = mesh_.data(front_[a].vertex).support == Support::kVertex;
+    const double least = of_cad ? kLeastCadTipAngle : kLeastTipAngle;
+    if (min_angle(at(b), at(a), at(c)) < least) return false;
     if (!cut_off(b, c, 1)) return false;
     state_.count_event(Event::kCloseTriangle);
     state_.note_stop(a, Stop::kClosed);

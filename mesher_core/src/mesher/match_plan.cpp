@@ -1,11 +1,10 @@
 #include "mesher/match_plan.h"
 
 #include <cmath>
-#include <map>
 
 #include "base/angles.h"
-#include "geometry/face_corners.h"
 #include "layers/corner_class.h"
+#include "mesher/patch_corners.h"
 
 namespace advlayers {
 namespace {
@@ -17,13 +16,9 @@ class MatchPlanner {
 
   MatchPlan run(const std::vector<FaceId>& faces) {
     if (has(EdgeCondition::kMatch) && has(EdgeCondition::kWall)) {
-      std::vector<FaceCorner> corners;
-      for (const FaceId face : faces) {
-        context_.check();
-        const std::vector<FaceCorner> found = corners_of(evaluator_, face);
-        corners.insert(corners.end(), found.begin(), found.end());
+      for (const FaceCorner& corner : patch_corners(context_, evaluator_, faces, walls_)) {
+        add(corner);
       }
-      for (const FaceCorner& corner : corners) follow(corner, corners);
     }
     return std::move(plan_);
   }
@@ -35,28 +30,10 @@ class MatchPlanner {
     }
     return false;
   }
-  const EdgePlan* plan_of(EdgeId edge) const {
-    const auto found = walls_.edges.find(edge);
-    return found == walls_.edges.end() ? nullptr : &found->second;
-  }
-
-  // From a boundary edge about its vertex, over the edges inside the patch, to the next one.
-  void follow(FaceCorner corner, const std::vector<FaceCorner>& corners) {
-    if (plan_of(corner.in.edge) == nullptr) return;
-    for (std::size_t k = 0; k < corners.size() && plan_of(corner.out.edge) == nullptr; ++k) {
-      context_.check();
-      const FaceCorner* beyond = nullptr;
-      for (const FaceCorner& c : corners) {
-        if (c.in.edge == corner.out.edge && c.in.end == corner.out.end) beyond = &c;
-      }
-      if (beyond == nullptr) return;
-      corner.out = beyond->out;
-      corner.angle += beyond->angle;
-    }
-    const EdgePlan *in = plan_of(corner.in.edge), *out = plan_of(corner.out.edge);
-    if (out == nullptr) return;
-    if (in->condition == EdgeCondition::kWall) add(corner, corner.in, *in, corner.out, *out);
-    if (out->condition == EdgeCondition::kWall) add(corner, corner.out, *out, corner.in, *in);
+  void add(const FaceCorner& corner) {
+    const EdgePlan &in = walls_.edges.at(corner.in.edge), &out = walls_.edges.at(corner.out.edge);
+    if (in.condition == EdgeCondition::kWall) add(corner, corner.in, in, corner.out, out);
+    if (out.condition == EdgeCondition::kWall) add(corner, corner.out, out, corner.in, in);
   }
 
   void add(const FaceCorner& corner, CornerSide wall, const EdgePlan& plan, CornerSide along,

@@ -27,6 +27,14 @@ LayerCells layer_cells(const WallPlan& walls) {
   return counted ? LayerCells::kStay : LayerCells::kTraded;
 }
 
+// Layers that run on along an edge (walls_run_on.h) were not asked for there.
+bool asks_for(const Settings& settings, EdgeId edge) {
+  return settings.walls_all || settings.others == OtherEdges::kWall ||
+         std::any_of(settings.walls.begin(), settings.walls.end(), [edge](const WallSpec& spec) {
+           return std::find(spec.edges.begin(), spec.edges.end(), edge) != spec.edges.end();
+         });
+}
+
 }  // namespace
 
 PatchJob::PatchJob(PatchId id, std::vector<FaceId> faces, const Model& model,
@@ -324,6 +332,10 @@ void PatchJob::measure(const RunContext& context) {
   record_.guard("not-measured", [&] {
     std::vector<WallReport> walls =
         measure_walls(context, mesh_, surface_, walls_, stops_, record_.layers());
+    walls.erase(
+        std::remove_if(walls.begin(), walls.end(),
+                       [this](const WallReport& wall) { return !asks_for(*settings_, wall.edge); }),
+        walls.end());
     for (WallReport& wall : walls) wall.face = face_beside(evaluator_.model(), faces_, wall.edge);
     const auto face_of_element = [this](FaceH f) { return face_of(f); };
     record_.measure(context, {mesh_, surface_, face_of_element}, std::move(walls));

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "geometry/patch_edges.h"
+#include "mesher/walls_run_on.h"
 #include "sizing/size_field.h"
 
 namespace advlayers {
@@ -163,6 +164,7 @@ WallPlan plan_walls(const RunContext& context, Evaluator& evaluator, const Setti
   const bool along = !settings.walls_all && settings.others == OtherEdges::kMatch;
   if (along) match_beside_walls(evaluator.model(), walls);
   override_with(settings.off_edges, EdgeCondition::kOff);
+  if (along) run_walls_on(context, evaluator, settings, faces, walls);
   return walls;
 }
 

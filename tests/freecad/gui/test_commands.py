@@ -13,8 +13,8 @@ from advlayers.export import FORMATS
 from advlayers_gui import commands, mesh_commands
 from advlayers_gui.colour_commands import ColourBy
 from window import (
-    answer_message, child, close_panel, errors_since, events, press_cancel, report_text, run,
-    screenshot, select)
+    answer_message, child, close_panel, errors_since, events, panel_of, press_cancel, press_ok,
+    report_text, run, screenshot, select, wait_for)
 
 
 @pytest.fixture
@@ -124,8 +124,16 @@ def test_check_opens_the_results(mesh):
     run("Check")
     assert child(QtGui.QTabWidget, "AdvLayersTabs").currentIndex() == 2
     assert str(mesh.QuadCount) in child(QtGui.QLabel, "AdvLayersFigures").text()
-    findings = child(QtGui.QListWidget, "AdvLayersFindings")
-    assert "out of date" in findings.item(0).text()
+    findings = child(QtGui.QTreeWidget, "AdvLayersFindings")
+    assert "out of date" in findings.topLevelItem(0).text(0)
+    remedy = child(QtGui.QPushButton, "AdvLayersRemedy")
+    assert not remedy.isVisible()
+    findings.setCurrentItem(findings.topLevelItem(0))
+    assert remedy.isVisible()
+    remedy.click()
+    wait_for(lambda: not panel_of(mesh).meshing)
+    assert not any("out of date" in findings.topLevelItem(k).text(0)
+                   for k in range(findings.topLevelItemCount()))
     assert f"{mesh.QuadCount} quads" in report_text()
     press_cancel()
 
@@ -241,8 +249,14 @@ def test_a_volume(mesh):
     from advlayers.volume.programs import gmsh, python_with_netgen
 
     if gmsh() or python_with_netgen():
+        analysis = ObjectsFem.makeAnalysis(mesh.Document, "Analysis")
+        analysis.addObject(mesh)
         run("FillVolume")
-        assert mesh.Document.ActiveObject.FemMesh.TetraCount > 0
+        made = mesh.Document.ActiveObject
+        assert made.FemMesh.TetraCount > 0
+        assert made.ViewObject.Visibility and not mesh.ViewObject.Visibility
+        assert made in analysis.Group and mesh not in analysis.Group
+        assert FreeCADGui.Selection.getSelection() == [made]
     else:
         seen = []
         answer_message(seen)
@@ -262,6 +276,10 @@ def test_a_gmsh_mesh_is_taken_over(box):
     made = document.ActiveObject
     assert layer_mesh.is_layer_mesh(made) and made.Size.Value == 4
     assert made in analysis.Group and gmsh not in analysis.Group
+    said = FreeCADGui.getMainWindow().statusBar().currentMessage()
+    assert made.Label in said and analysis.Label in said
+    press_ok()  # its panel is open: nothing is meshed yet
+    assert made.FemMesh.NodeCount > 0 and made.ViewObject.Visibility
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from PySide import QtGui
 from advlayers import layer_mesh
 from advlayers.settings_table import MESH_SETTINGS
 from window import (
-    answer_message, child, click, edit, events, mesh_until_done, panel_of, press, press_cancel,
+    answer_message, child, click, edit, events, mesh_until_done, panel_of, press_cancel,
     press_ok, run, screenshot, select, status, wait_for)
 
 FINE = {"size": 0.12, "first_height": 0.02, "layers": 3}  # some 10 s
@@ -382,7 +382,7 @@ def test_every_error_shows_in_the_panel(opened, box, monkeypatch):
     wait_for(lambda: not panel_of(opened).meshing)
     assert "the shape is broken" in status()
     assert FreeCADGui.Control.activeDialog()
-    press(QtGui.QDialogButtonBox.Cancel)
+    press_cancel()
     assert [entry.Name for entry in box.Document.Objects] == ["Box"]
 
 
@@ -404,4 +404,4 @@ def test_one_panel_at_a_time(opened, box):
     opened.ViewObject.Proxy.doubleClicked(opened.ViewObject)
     events()
     assert panel_of(opened) is panel
-    press(QtGui.QDialogButtonBox.Cancel)
+    press_cancel()

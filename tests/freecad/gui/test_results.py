@@ -1,4 +1,5 @@
 """What came out: display modes, the page of results, and the way to a place of the mesh."""
+import re
 import time
 
 import advlayers
@@ -91,7 +92,7 @@ def test_the_page_of_results(mesh):
     assert histogram.counts.sum() == mesh.FemMesh.FaceCount
     walls = child(QtGui.QTableWidget, "AdvLayersWalls")
     assert walls.rowCount() == 24
-    assert walls.item(0, 2).text().startswith("0.20 mm")
+    assert walls.item(0, 2).text().startswith("0.2 mm")
     for k, field in enumerate(FIELDS):
         child(QtGui.QComboBox, "AdvLayersField").setCurrentIndex(k)
         wait_for(lambda: not panel.scene.busy)
@@ -133,15 +134,24 @@ def test_findings_lead_to_their_place(mesh):
     mesh.ViewObject.Document.setEdit(mesh.Name)
     panel_of(mesh).show_results()
     events()
-    findings = child(QtGui.QListWidget, "AdvLayersFindings")
-    rows = [row for row in range(findings.count()) if "layers of 30" in findings.item(row).text()]
-    assert rows and not findings.item(rows[0]).icon().isNull()
-    name = findings.item(rows[0]).text().split(" got ")[0]
+    findings = child(QtGui.QTreeWidget, "AdvLayersFindings")
+    groups = [findings.topLevelItem(row) for row in range(findings.topLevelItemCount())]
+    (short,) = [item for item in groups if "layers of 30" in item.text(0)]
+    assert not short.icon(0).isNull()
+    # One line for all walls that fell short, the worst of them first.
+    assert short.text(0).startswith(f"{short.childCount()} times") and short.childCount() > 1
+    got = [int(re.search(r"(\d+)\D+30", short.child(k).text(0)).group(1))
+           for k in range(short.childCount())]
+    assert got == sorted(got) and str(got[0]) in short.text(0)
+    name = short.child(0).text(0).split(" got ")[0]
     before = _focus(FreeCADGui.getDocument(mesh.Document.Name).ActiveView)
-    findings.setCurrentRow(rows[0])
-    findings.itemClicked.emit(findings.item(rows[0]))
+    findings.itemClicked.emit(short, 0)
     reason = status()
     assert name in reason and "layers end here first" in reason
+    findings.itemClicked.emit(short, 0)  # the next one
+    assert short.child(1).text(0).split(" got ")[0] in status()
+    findings.itemClicked.emit(short.child(0), 0)
+    assert name in status()
     after = _focus(FreeCADGui.getDocument(mesh.Document.Name).ActiveView)
     face = mesh.Part.Shape.Faces[int(name.rsplit("Face", 1)[1]) - 1]
     assert face.distToShape(Part.Vertex(*after))[0] < 1e-3

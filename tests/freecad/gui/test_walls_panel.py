@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from window import (
     child, choose, click, edit, events, mesh_until_done, panel_of, press_cancel, press_ok,
-    screenshot, select, status)
+    screenshot, select, status, wait_for)
 
 
 @pytest.fixture
@@ -183,11 +183,13 @@ def test_the_table_and_the_fields_below_it_agree(mesh, box):
 
 
 def test_heights_are_shown_before_meshing(mesh, box):
-    heights = panel_of(mesh).heights
+    heights = panel_of(mesh).preview.heights
     child(QtGui.QTabWidget, "AdvLayersTabs").setCurrentIndex(1)
+    wait_for(lambda: heights.lines)
     assert len(heights.lines) == 24  # 12 edges on 2 faces each
     select((box, "Edge1"))
     click("AdvLayersAddWall")
+    wait_for(lambda: heights.lines and len(heights.lines) != 24)
     assert {line.edge for line in heights.lines} == {"Edge1"} and len(heights.lines) == 2
     select((box, "Edge1"), (box, "Face1"))
     press_cancel()

@@ -109,7 +109,10 @@ def mesh_until_done(mesh_object, seconds=60.0):
 def press(standard_button):
     """Presses a button of the task panel."""
     for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
-        button = box.button(standard_button)
+        try:
+            button = box.button(standard_button)
+        except RuntimeError:  # of a panel that was closed: PySide still knows it
+            continue
         if button is not None and button.isVisible():
             button.click()
             events()
@@ -122,8 +125,17 @@ def press_ok():
     wait_for(lambda: not FreeCADGui.Control.activeDialog())
 
 
+def asked():
+    """Whether the panel asks before it closes."""
+    found = FreeCADGui.getMainWindow().findChildren(QtGui.QWidget, "AdvLayersQuestion")
+    return any(widget.isVisible() for widget in found)
+
+
 def press_cancel():
+    """Discards what there is to lose."""
     press(QtGui.QDialogButtonBox.Cancel)
+    if asked():
+        click("AdvLayersDiscard")
     assert not FreeCADGui.Control.activeDialog()
 
 
