@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "boundary/discretization.h"
-#include "core/core_improvement.h"
+#include "core/fill_core.h"
 #include "geometry/model.h"
 #include "layers/patch_layers.h"
 #include "measure/core_region.h"
@@ -71,7 +71,7 @@ void mesh_patch(const RunContext& context, const Model& model, const Settings& s
   }
   thaw_core_edges(mesh);
   return_to_core(mesh);
-  improve_core(context, mesh, surface);
+  fill_core(context, mesh, surface, evaluator, settings);
   recombine(context, mesh, surface, LayerCells::kTraded, core_steps);
   mend_inverted(context, mesh, surface);
   return_to_core(mesh);

@@ -160,8 +160,25 @@ bool find_better_place(const Star& star, Vec2& place) {
   return false;
 }
 
-// True where every face about the vertex stays on the surface's outer side, and turns the same way
-// at each of its corners.
+// True where the vertex moved noticeably.
+bool smooth_star(SurfaceMesh& mesh, PatchSurface& surface, QuadTarget target, VertexH v) {
+  Star star;
+  if (!gather(mesh, v, target, star)) return false;
+  Vec2 place;
+  if (!find_better_place(star, place)) return false;
+  VertexData& data = mesh.data(v);
+  const Vec3 goal = data.point.xyz + place.x() * star.x_axis + place.y() * star.y_axis;
+  SurfacePoint foot;
+  if (!surface.project(goal, data.point, foot)) return false;
+  if ((foot.xyz - goal).norm() > 0.5 * star.mean_side) return false;
+  if (!keeps_faces_upright(mesh, v, foot.xyz)) return false;
+  data.point = foot;
+  data.normal = surface.normal(foot);
+  return true;
+}
+
+}  // namespace
+
 bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place) {
   const Vec3& normal = mesh.data(v).normal;
   for (const HalfedgeH h : mesh.around_ccw(v)) {
@@ -182,25 +199,6 @@ bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place) 
   }
   return true;
 }
-
-// True where the vertex moved noticeably.
-bool smooth_star(SurfaceMesh& mesh, PatchSurface& surface, QuadTarget target, VertexH v) {
-  Star star;
-  if (!gather(mesh, v, target, star)) return false;
-  Vec2 place;
-  if (!find_better_place(star, place)) return false;
-  VertexData& data = mesh.data(v);
-  const Vec3 goal = data.point.xyz + place.x() * star.x_axis + place.y() * star.y_axis;
-  SurfacePoint foot;
-  if (!surface.project(goal, data.point, foot)) return false;
-  if ((foot.xyz - goal).norm() > 0.5 * star.mean_side) return false;
-  if (!keeps_faces_upright(mesh, v, foot.xyz)) return false;
-  data.point = foot;
-  data.normal = surface.normal(foot);
-  return true;
-}
-
-}  // namespace
 
 void smooth_stars(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
                   const std::vector<VertexH>& movable, QuadTarget target, int sweeps) {

@@ -23,4 +23,8 @@ enum class QuadTarget { kSquare, kRectangle };
 void smooth_stars(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
                   const std::vector<VertexH>& movable, QuadTarget target, int sweeps);
 
+// True where with v at `place` every face about it stays on the surface's outer side, and turns the
+// same way at each of its corners.
+bool keeps_faces_upright(const SurfaceMesh& mesh, VertexH v, const Vec3& place);
+
 }  // namespace advlayers

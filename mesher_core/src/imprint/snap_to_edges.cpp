@@ -111,7 +111,10 @@ class Snapper {
     for (const auto& [distance, v] : near) {
       if (!movable(v)) {
         const bool first = v == near.front().second;
-        if (first && distance <= surface_.model().vertex(vertex).tolerance) return;
+        if (first && distance <= surface_.model().vertex(vertex).tolerance) {
+          sides_.put(v, sides_.at(vertex));
+          return;
+        }
         continue;
       }
       SurfacePoint foot;

@@ -21,7 +21,7 @@ void end_isotropic(LayerState& state, int not_made) {
     if (!node.active || (node.prev < 0 && node.next < 0)) continue;
     shapes[static_cast<std::size_t>(i)] = node_shape(state.mesh, front, i);
   }
-  const std::vector<char> isotropic = isotropic_nodes(front, shapes);
+  const std::vector<char> isotropic = isotropic_nodes(state, shapes);
   for (int i = 0; i < front.size(); ++i) {
     if (front[i].active && isotropic[static_cast<std::size_t>(i)] != 0) {
       end(state, i, Stop::kIsotropic, not_made);

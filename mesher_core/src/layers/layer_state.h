@@ -33,6 +33,7 @@ struct LayerState {
   LayerReport report{};  // of this layer
   std::vector<Diagnostic> diagnostics{};
   std::vector<StopRecord> stops{};
+  LocalSize local_size{};  // where layers end at it
 
   void count_event(Event event) { ++report.events[static_cast<std::size_t>(event)]; }
 

@@ -104,6 +104,7 @@ std::optional<LayerReport> PatchLayers::advance() {
 }
 
 void PatchLayers::set_step_hook(StepHook hook) { impl_->hook = std::move(hook); }
+void PatchLayers::set_local_size(LocalSize size) { impl_->state.local_size = std::move(size); }
 const std::vector<Diagnostic>& PatchLayers::diagnostics() const { return impl_->state.diagnostics; }
 const std::vector<StopRecord>& PatchLayers::stops() const { return impl_->state.stops; }
 

@@ -93,6 +93,8 @@ struct LayerReport {
   std::array<int, kStops.size()> stops{};
 };
 
+using LocalSize = std::function<double(const SurfacePoint&)>;  // [mm]
+
 class PatchLayers {
  public:
   // Called after each step of a layer; the mesh is valid then. For tests and previews.
@@ -108,6 +110,8 @@ class PatchLayers {
   std::optional<LayerReport> advance();
 
   void set_step_hook(StepHook hook);
+  // Where layers end once they are isotropic, they end at this edge length, too.
+  void set_local_size(LocalSize size);
   const std::vector<Diagnostic>& diagnostics() const;
   const std::vector<StopRecord>& stops() const;
 

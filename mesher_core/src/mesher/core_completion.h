@@ -10,24 +10,27 @@
 
 namespace advlayers {
 
+inline constexpr int kAllMayCross = -1;  // the edges were not followed
+
 struct Completion {
-  int crossing = 0;          // elements that reach over edges inside the patch
+  int crossing = 0;          // elements that reach over edges inside the patch; kAllMayCross
   int of_layers_mended = 0;  // elements of layers that were to stay, and could not
 };
 
-// Improves the core, recombines it where quads are asked for, and mends what is turned over;
+// Fills the core anew, recombines it where quads are asked for, and mends what is turned over;
 // `cells` says what becomes of the last layers. The mesh is a valid mesh of the patch before and
 // after. Throws Cancelled.
 Completion complete_core(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface,
-                         const Settings& settings, LayerCells cells);
-
-inline constexpr int kAllMayCross = -1;
+                         Evaluator& evaluator, const Settings& settings, LayerCells cells);
 
 // The same for a patch of several faces: the layers ran across the edges between these; here every
-// element comes to lie on one face. Where that would cost an element turned over, elements reach
-// over the edges instead: `crossing` is kAllMayCross then.
+// element comes to lie on one face.
 Completion complete_core_along_edges(const RunContext& context, SurfaceMesh& mesh,
-                                     PatchSurface& surface, const Discretization& boundary,
-                                     const Settings& settings, LayerCells cells);
+                                     PatchSurface& surface, Evaluator& evaluator,
+                                     const Discretization& boundary, const Settings& settings,
+                                     LayerCells cells);
+
+// Elements that are turned over against the surface. Throws Cancelled.
+int count_inverted(const RunContext& context, const SurfaceMesh& mesh, PatchSurface& surface);
 
 }  // namespace advlayers

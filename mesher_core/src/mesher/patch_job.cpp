@@ -6,12 +6,12 @@
 #include "measure/core_region.h"
 #include "mend/split_inside.h"
 #include "mesh/validate.h"
-#include "mesher/core_completion.h"
 #include "mesher/element_faces.h"
 #include "mesher/mapped_face.h"
 #include "mesher/narrow_strip.h"
 #include "mesher/periodic_faces.h"
 #include "mesher/wall_report.h"
+#include "triangulate/target_size.h"
 #include "triangulate/triangulate.h"
 
 namespace advlayers {
@@ -103,8 +103,13 @@ std::vector<EdgeId> PatchJob::triangulate(const RunContext& context,
 void PatchJob::make_triangles(const RunContext& context, const Discretization& boundary,
                               std::vector<EdgeId>& coarse) {
   try {
-    Triangulation made =
-        advlayers::triangulate(context, surface_, evaluator_, boundary, *settings_);
+    // Layers and core need a surface to walk on; nodes that were given need a mesh to lie in.
+    const auto with = [&](Density density) {
+      return advlayers::triangulate(context, surface_, evaluator_, boundary, *settings_, density);
+    };
+    const bool given = settings_->initial_nodes != nullptr;
+    Triangulation made = with(given ? Density::kAsked : Density::kCoarse);
+    if (given && made.initial_nodes == 0) made = with(Density::kCoarse);
     mesh_ = std::move(made.mesh);
     coarse = std::move(made.coarse_edges);
     initial_nodes_ = made.initial_nodes;
@@ -198,9 +203,7 @@ std::optional<LayerReport> PatchJob::advance(const RunContext& context) {
   std::optional<LayerReport> report;
   if (stage_ != Stage::kGrowing) return report;
   const bool sound = record_.guard("layers-stopped", [&] {
-    if (!layers_) {
-      layers_ = std::make_unique<PatchLayers>(context, id(), mesh_, surface_, walls_);
-    }
+    if (!layers_) begin_layers(context);
     report = layers_->advance();
   });
   if (!sound || !report) {
@@ -209,6 +212,13 @@ std::optional<LayerReport> PatchJob::advance(const RunContext& context) {
   }
   record_.add_layer(*report);
   return report;
+}
+
+void PatchJob::begin_layers(const RunContext& context) {
+  layers_ = std::make_unique<PatchLayers>(context, id(), mesh_, surface_, walls_);
+  if (!walls_.stop_at_isotropy) return;
+  const auto size = std::make_shared<TargetSize>(evaluator_, *settings_);
+  layers_->set_local_size([size](const SurfacePoint& p) { return size->at(p); });
 }
 
 // The layers watch the mesh for edges to swap; what follows is no business of theirs.
@@ -228,31 +238,57 @@ void PatchJob::finish(const RunContext& context, const Discretization& boundary)
   if (stage_ != Stage::kGrown) return;
   const std::string broken = find_connectivity_fault(context, mesh_);
   if (!broken.empty() && !mend_without_layers(context, broken, boundary)) return;
-  mesh_.put_in_order(context);
-  SurfaceMesh before = mesh_.copy(context);
   const bool done = record_.guard("core-not-improved", [&] {
-    return_to_core(mesh_);
-    const bool along_edges = surface_.has_inner_edges() && !surface_.faceted();
-    const LayerCells cells = layer_cells(walls_);
-    const Completion made =
-        along_edges
-            ? complete_core_along_edges(context, mesh_, surface_, boundary, *settings_, cells)
-            : complete_core(context, mesh_, surface_, *settings_, cells);
-    tell_of_crossings(made.crossing);
-    if (made.of_layers_mended > 0) {
-      record_.complain(
-          Severity::kWarning, "layers-mended",
-          Sentence("{}: {} elements of layers were changed, as elements there were turned over",
-                   patch_name(faces_), made.of_layers_mended));
-    }
+    mesh_.put_in_order(context);
+    tell_of(complete(context, boundary));
     if (faces_.size() > 1) find_faces(context, boundary);
     const std::string fault = find_connectivity_fault(context, mesh_);
     if (!fault.empty()) throw InternalError(fault);
   });
-  stage_ = Stage::kFinished;
-  if (done) return;
-  mesh_ = std::move(before);
-  face_of_.clear();
+  if (!done) face_of_.clear();
+  // Each operation leaves a valid mesh; what failed half-way is made anew without this stage.
+  if (done || find_connectivity_fault(context, mesh_).empty() || grow_again(context, boundary)) {
+    stage_ = Stage::kFinished;
+  }
+}
+
+// Every element comes to lie on one face. Where that would cost an element turned over, elements
+// reach over the edges inside the patch instead.
+Completion PatchJob::complete(const RunContext& context, const Discretization& boundary) {
+  const LayerCells cells = layer_cells(walls_);
+  const auto across_edges = [&] {
+    return_to_core(mesh_);
+    return complete_core(context, mesh_, surface_, evaluator_, *settings_, cells);
+  };
+  if (!surface_.has_inner_edges() || surface_.faceted()) return across_edges();
+  return_to_core(mesh_);
+  const Completion along =
+      complete_core_along_edges(context, mesh_, surface_, evaluator_, boundary, *settings_, cells);
+  const int inverted = count_inverted(context, mesh_, surface_);
+  if (inverted == 0) return along;
+  SurfaceMesh made = std::move(mesh_);
+  if (grow_again(context, boundary)) {
+    Completion across = across_edges();
+    across.crossing = kAllMayCross;
+    if (count_inverted(context, mesh_, surface_) < inverted) return across;
+  }
+  mesh_ = std::move(made);
+  stage_ = Stage::kGrown;
+  return along;
+}
+
+// The mesh as the layers left it. A copy kept for the worst case would take half of the memory.
+bool PatchJob::grow_again(const RunContext& context, const Discretization& boundary) {
+  const PatchRecord told = record_;
+  const std::vector<StopRecord> stops = stops_;
+  triangulate(context, boundary);
+  while (record_.layers() < told.layers() && advance(context)) {
+  }
+  end_layers();
+  record_ = told;
+  stops_ = stops;
+  mesh_.put_in_order(context);
+  return stage_ == Stage::kGrown;
 }
 
 // Layers that broke the mesh are given up: several faces are tried one by one, a single one is
@@ -276,7 +312,14 @@ bool PatchJob::mend_without_layers(const RunContext& context, const std::string&
   return stage_ == Stage::kGrown;
 }
 
-void PatchJob::tell_of_crossings(int crossing) {
+void PatchJob::tell_of(const Completion& made) {
+  if (made.of_layers_mended > 0) {
+    record_.complain(
+        Severity::kWarning, "layers-mended",
+        Sentence("{}: {} elements of layers were changed, as elements there were turned over",
+                 patch_name(faces_), made.of_layers_mended));
+  }
+  const int crossing = made.crossing;
   if (crossing == 0) return;
   const Sentence some(
       "{}: {} elements reach over edges inside the patch; lower feature_angle to part its faces",

@@ -14,6 +14,7 @@
 #include "geometry/patch_surface.h"
 #include "layers/patch_layers.h"
 #include "mesh/surface_mesh.h"
+#include "mesher/core_completion.h"
 #include "mesher/match_plan.h"
 #include "mesher/patch_plan.h"
 #include "mesher/patch_record.h"
@@ -89,8 +90,11 @@ class PatchJob {
   bool fill_in_rows(const RunContext& context, const Discretization& boundary);
   bool fill_mapped(const RunContext& context, const Discretization& boundary);
   bool fill_as_offered(const RunContext& context, const Discretization& boundary);
+  void begin_layers(const RunContext& context);
   void end_layers();
-  void tell_of_crossings(int crossing);
+  bool grow_again(const RunContext& context, const Discretization& boundary);
+  Completion complete(const RunContext& context, const Discretization& boundary);
+  void tell_of(const Completion& made);
   void find_faces(const RunContext& context, const Discretization& boundary);
 
   std::vector<FaceId> faces_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/ties.h"
 #include "core/star_smoothing.h"
 #include "measure/core_region.h"
 #include "measure/element_measures.h"
@@ -44,7 +45,7 @@ Candidates find_candidates(const RunContext& context, const SurfaceMesh& mesh) {
     context.check();
     const HalfedgeH h(i);
     if (!mesh.alive(h) || mesh.combine_veto(h) != Veto::kNone) continue;
-    const double quality = pair_quality(mesh, h);
+    const double quality = settled(pair_quality(mesh, h));
     if (quality < kLeastPairQuality) continue;
     found.diagonal.push_back(h);
     const int a = node_of(mesh.face(h));
@@ -80,7 +81,7 @@ void recombine(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surfa
   };
   const std::vector<VertexH> free = free_vertices(mesh), seam = seam_of();
   for (int round = 0; round < kRounds; ++round) {
-    const int joined = steps.walks ? join_triangles(context, mesh) : 0;
+    const int joined = steps.walks ? join_triangles(context, mesh, surface) : 0;
     if (round > 0 && joined == 0) break;
     if (!steps.smoothing) continue;
     smooth_stars(context, mesh, surface, free, QuadTarget::kSquare, kSweeps);

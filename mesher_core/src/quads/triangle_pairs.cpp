@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/ties.h"
 #include "measure/core_region.h"
 #include "quads/dissection.h"
 
@@ -131,6 +132,7 @@ bool PairCloser::consider_loop(const Faces& disc, const std::vector<VertexH>& lo
   if (loop.size() > kMostCorners) return false;
   const double least = std::max(kLeastQuad, best_.score + lost);
   Dissection found = dissect(mesh_, loop, kLongestSide * longest_, least);
+  found.worst = settled(found.worst);
   if (found.worst - lost <= best_.score || found.quads.empty()) return false;
   if (mesh_.replace_veto(disc, found.quads) != Veto::kNone) return false;
   best_ = {found.worst - lost, disc, std::move(found.quads)};

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "base/ties.h"
+#include "core/star_smoothing.h"
 #include "measure/core_region.h"
 #include "measure/element_measures.h"
 #include "quads/pentagon.h"
@@ -17,6 +19,13 @@ constexpr std::size_t kLongestWalk = 10;
 constexpr std::size_t kSearchLimit = 250;
 constexpr std::size_t kMostGoals = 8;
 constexpr double kLeastTriangle = 0.1;  // sine of the smallest angle
+// A vertex in line between its neighbours moves by so much of the edge that goes, and then the quad
+// has to be as good as that.
+constexpr double kOpeningSteps[] = {0.35, 0.25, 0.15};
+constexpr double kLeastOpened = 0.12;  // quality: corners of 28 to 152 degrees
+
+// With kOpened the last edge goes after one of its ends was moved.
+enum class Last { kAsItIs, kOpened };
 
 struct Plan {
   double worst = -1.0;
@@ -25,17 +34,24 @@ struct Plan {
 
 class Walker {
  public:
-  explicit Walker(SurfaceMesh& mesh) : mesh_(mesh), reached_(mesh.face_capacity(), HalfedgeH()) {}
+  Walker(SurfaceMesh& mesh, PatchSurface& surface)
+      : mesh_(mesh), surface_(surface), reached_(mesh.face_capacity(), HalfedgeH()) {}
   bool join(FaceH start);
 
  private:
   void find_goals(FaceH start);
   void trace_route(FaceH start, FaceH goal);
+  bool walk_to(FaceH start, FaceH goal, Last last);
   void plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Plan& best) const;
+  double last_quality(VertexH p) const;
+  bool open(HalfedgeH h);
   bool carry_out(const Plan& plan);
   double triangle_quality(VertexH a, VertexH b, VertexH c) const;
 
   SurfaceMesh& mesh_;
+  PatchSurface& surface_;
+  Last last_ = Last::kAsItIs;
+  bool moved_ = false;              // a walk has changed the mesh
   std::vector<HalfedgeH> reached_;  // by face: the half-edge, inside it, that it was entered over
   std::vector<FaceH> touched_, goals_;
   std::vector<HalfedgeH> route_;  // half-edges crossed, seen from the face that is left
@@ -92,8 +108,7 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
   if (worst <= best.worst) return;
   const HalfedgeH leaving = route_[step];
   if (step + 1 == route_.size()) {
-    const double last = quad_quality(mesh_, p, mesh_.from(leaving),
-                                     apex(mesh_, SurfaceMesh::twin(leaving)), mesh_.to(leaving));
+    const double last = settled(last_quality(p));
     if (last < kLeastPairQuality || std::min(worst, last) <= best.worst) return;
     best = plan;
     best.worst = std::min(worst, last);
@@ -104,8 +119,8 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
     const PentagonHalves halves = halves_of(pentagon, cut);
     const auto& [t0, t1, t2] = halves.triangle;
     if (triangle_quality(t0, t1, t2) < kLeastTriangle) continue;
-    const double quad =
-        quad_quality(mesh_, halves.quad[0], halves.quad[1], halves.quad[2], halves.quad[3]);
+    const double quad = settled(
+        quad_quality(mesh_, halves.quad[0], halves.quad[1], halves.quad[2], halves.quad[3]));
     if (quad < kLeastPairQuality) continue;
     const VertexH from = mesh_.from(route_[step + 1]), to = mesh_.to(route_[step + 1]);
     VertexH third = t0;
@@ -116,27 +131,78 @@ void Walker::plan_from(std::size_t step, VertexH p, double worst, Plan& plan, Pl
   }
 }
 
+// Of the quad across the route's last edge, the third corner of the triangle being p.
+double Walker::last_quality(VertexH p) const {
+  const HalfedgeH h = route_.back();
+  const VertexH a = mesh_.from(h), b = mesh_.to(h), q = apex(mesh_, SurfaceMesh::twin(h));
+  const double quality = quad_quality(mesh_, p, a, q, b);
+  if (last_ == Last::kAsItIs) return quality;
+  for (const VertexH v : {a, b}) {
+    if (!is_free(mesh_, v)) continue;
+    SurfacePoint& point = mesh_.data(v).point;
+    const SurfacePoint before = point;
+    point.xyz += kOpeningSteps[0] * (before.xyz - mesh_.position(v == a ? b : a));
+    const double opened = quad_quality(mesh_, p, a, q, b);
+    point = before;
+    if (opened > kLeastOpened) return opened;
+  }
+  return -1.0;
+}
+
+// Moves an end of the edge away from the other, if the quad across it becomes a good one and all
+// faces about the end stay upright.
+bool Walker::open(HalfedgeH h) {
+  for (const HalfedgeH side : {h, SurfaceMesh::twin(h)}) {
+    const VertexH v = mesh_.from(side);
+    if (!is_free(mesh_, v)) continue;
+    VertexData& data = mesh_.data(v);
+    const SurfacePoint before = data.point;
+    for (const double step : kOpeningSteps) {
+      const Vec3 goal = before.xyz + step * (before.xyz - mesh_.position(mesh_.to(side)));
+      SurfacePoint foot;
+      if (!surface_.project(goal, before, foot)) continue;
+      if (!keeps_faces_upright(mesh_, v, foot.xyz)) continue;
+      data.point = foot;
+      if (quad_quality(mesh_, apex(mesh_, side), v, apex(mesh_, SurfaceMesh::twin(side)),
+                       mesh_.to(side)) > kLeastOpened) {
+        data.normal = surface_.normal(foot);
+        return true;
+      }
+      data.point = before;
+    }
+  }
+  return false;
+}
+
 bool Walker::carry_out(const Plan& plan) {
   for (std::size_t step = 0; step + 1 < route_.size(); ++step) {
     if (!recut(mesh_, route_[step], plan.cuts[step])) return false;
+    moved_ = true;
   }
   if (mesh_.combine_veto(route_.back()) != Veto::kNone) return false;
+  if (last_ == Last::kOpened && !open(route_.back())) return false;
   mesh_.combine(route_.back());
   return true;
+}
+
+bool Walker::walk_to(FaceH start, FaceH goal, Last last) {
+  last_ = last;
+  trace_route(start, goal);
+  if (route_.size() > kLongestWalk) return false;
+  Plan plan, best;
+  plan_from(0, apex(mesh_, route_.front()), 2.0, plan, best);
+  return best.worst >= kLeastPairQuality && carry_out(best);
 }
 
 bool Walker::join(FaceH start) {
   find_goals(start);
   bool joined = false;
-  for (std::size_t i = 0; i < goals_.size() && !joined; ++i) {
-    trace_route(start, goals_[i]);
-    if (route_.size() > kLongestWalk) break;
-    Plan plan, best;
-    plan_from(0, apex(mesh_, route_.front()), 2.0, plan, best);
-    if (best.worst < kLeastPairQuality) continue;
-    joined = carry_out(best);
-    // A walk that topology stopped half-way has moved the triangle: what was found is void.
-    if (!joined) break;
+  moved_ = false;
+  for (const Last last : {Last::kAsItIs, Last::kOpened}) {
+    // A walk that was stopped half-way has moved the triangle: what was found is void.
+    for (std::size_t i = 0; i < goals_.size() && !joined && !moved_; ++i) {
+      joined = walk_to(start, goals_[i], last);
+    }
   }
   for (const FaceH f : touched_) reached_[f.index()] = HalfedgeH();
   return joined;
@@ -144,8 +210,8 @@ bool Walker::join(FaceH start) {
 
 }  // namespace
 
-int join_triangles(const RunContext& context, SurfaceMesh& mesh) {
-  Walker walker(mesh);
+int join_triangles(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface) {
+  Walker walker(mesh, surface);
   int pairs = 0;
   for (std::size_t i = 0; i < mesh.face_capacity(); ++i) {
     const FaceH f(i);

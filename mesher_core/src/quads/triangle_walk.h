@@ -10,13 +10,15 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 
 namespace advlayers {
 
-// Joins core triangles over at most a few quads each, nearest first; the positions stay. Every
-// quad on the way keeps corners that smoothing can open. Returns the number of pairs made.
-// Throws Cancelled.
-int join_triangles(const RunContext& context, SurfaceMesh& mesh);
+// Joins core triangles over at most a few quads each, nearest first. Every quad on the way keeps
+// corners that smoothing can open. Two ends of rows that lie in line, where no other triangle is
+// near, become a quad as well: the free vertex between them is moved out of the line. All other
+// positions stay. Returns the number of pairs made. Throws Cancelled.
+int join_triangles(const RunContext& context, SurfaceMesh& mesh, PatchSurface& surface);
 
 }  // namespace advlayers

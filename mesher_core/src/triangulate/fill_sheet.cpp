@@ -32,6 +32,7 @@ constexpr double kSmallestSplit = 0.05;  // share of the local size that refinem
 constexpr double kLeastSplit = 0.1;      // and share of the least size
 // Distance of an edge's middle from an apex, as a share of half the edge.
 constexpr double kApexShare = 0.3;
+constexpr double kOnEdge = 1e-7;  // of an edge's length: a point as near as that lies on it
 // Share of a triangle's longest edge.
 constexpr double kLongEnough = 0.8;
 // Height over a boundary edge, as a share of the edge.
@@ -229,11 +230,30 @@ class FrontalInsertion {
     return middle + m.across(d) * (height / std::sqrt(length2));
   }
 
+  // The inner edge that the point lies on but for round-off, from the same side wherever the walk
+  // came from; none: t is -1.
+  Side edge_under(int t, const Vec2& p) const {
+    for (int i = 0; i < 3; ++i) {
+      const Side s{t, i};
+      const Vec2 d = mesh().point(mesh().to(s)) - mesh().point(mesh().from(s));
+      const Vec2 w = p - mesh().point(mesh().from(s));
+      if (std::abs(d.x() * w.y() - d.y() * w.x()) > kOnEdge * d.squaredNorm()) continue;
+      if (mesh().segment(s) >= 0) continue;
+      const Side o = mesh().opposite(s);
+      return o.t >= 0 && o.t < s.t ? o : s;
+    }
+    return {-1, 0};
+  }
+
   bool insert_above(Side s) {
     const Vec2 p = ideal_apex(s);
     const int t = walk_to(mesh(), s.t, p);
     if (t < 0 || crowds(sheet_, t, p)) return false;
-    if (sheet_.insert_in(t, p) < 0) return false;
+    const Side on = edge_under(t, p);
+    if (on.t >= 0 && (crowds(sheet_, on.t, p) || crowds(sheet_, mesh().opposite(on).t, p))) {
+      return false;
+    }
+    if ((on.t >= 0 ? sheet_.insert_on(on, p) : sheet_.insert_in(t, p)) < 0) return false;
     for (const int touched : sheet_.touched()) assess(touched);
     for (const int touched : sheet_.touched()) {
       push_if_active(touched);

@@ -7,15 +7,17 @@ namespace advlayers {
 namespace {
 
 constexpr double kSmallestShare = 0.02;  // of the size, however curved the surface is
+constexpr double kCoarse = 50.0;  // times the size: no more than the border and curvature ask for
 
 }  // namespace
 
-TargetSize::TargetSize(Evaluator& evaluator, const Settings& settings)
+TargetSize::TargetSize(Evaluator& evaluator, const Settings& settings, Density density)
     : evaluator_(&evaluator),
       sizes_(settings),
       chord_of_unit_radius_(2 * std::sin(settings.curvature_angle * M_PI / 360)),
       chord_deviation_(settings.chord_deviation),
-      min_size_(settings.min_size) {
+      min_size_(settings.min_size),
+      density_(density) {
   // The chord's distance from its arc over its length is an eighth of the angle.
   if (settings.relative_chord > 0.0) {
     chord_of_unit_radius_ = std::min(chord_of_unit_radius_, 8.0 * settings.relative_chord);
@@ -23,7 +25,9 @@ TargetSize::TargetSize(Evaluator& evaluator, const Settings& settings)
 }
 
 double TargetSize::at(const SurfacePoint& p) {
-  const double size = sizes_.near(p.xyz, p.face, sizes_.of_face(p.face));
+  const double size = density_ == Density::kCoarse
+                          ? kCoarse * sizes_.of_face(p.face)
+                          : sizes_.near(p.xyz, p.face, sizes_.of_face(p.face));
   if (evaluator_->model().face(p.face).kind == SurfaceKind::kPlane) return size;
   const double curvature = evaluator_->max_curvature(p.face, p.u, p.v);
   double chord = chord_of_unit_radius_ / curvature;

@@ -206,7 +206,8 @@ std::vector<BoundarySheet> bound_faces(const RunContext& context, const PatchSur
 }  // namespace
 
 Triangulation triangulate(const RunContext& context, PatchSurface& surface, Evaluator& evaluator,
-                          const Discretization& boundary, const Settings& settings) {
+                          const Discretization& boundary, const Settings& settings,
+                          Density density) {
   const std::vector<EdgeId> inner = inner_edges(evaluator, surface.faces(), feature_rule(settings));
   std::vector<BoundarySheet> bounded = bound_faces(context, surface, evaluator, boundary, inner);
   std::vector<LiftedTriangulation> sheets;
@@ -217,7 +218,7 @@ Triangulation triangulate(const RunContext& context, PatchSurface& surface, Eval
   for (BoundarySheet& face : bounded) {
     const FaceId id = face.sheet.face;
     sheets.emplace_back(std::move(face.sheet), std::move(face.mesh), evaluator,
-                        TargetSize(evaluator, settings));
+                        TargetSize(evaluator, settings, density));
     result.initial_nodes +=
         fill_sheet(context, sheets.back(), initial == nullptr ? none : initial->on(id));
   }

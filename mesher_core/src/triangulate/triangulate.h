@@ -10,6 +10,7 @@
 #include "geometry/patch_surface.h"
 #include "mesh/surface_mesh.h"
 #include "sizing/settings.h"
+#include "triangulate/target_size.h"
 
 namespace advlayers {
 
@@ -57,12 +58,14 @@ class FacesNotTriangulated : public GeometryError {
   std::vector<EdgeId> edges_;
 };
 
+// `density`: within the boundary, which is kept as it is cut.
 // With an initial mesh its nodes inside the faces become vertices where they lie, as far as there
 // is room; what is too coarse is refined, and what is poor moved, as anywhere.
 // A face whose sides are one line in the boundary holds nothing: alone it gives an empty mesh.
 // Throws BoundaryTooCoarse naming face and edges, and GeometryError naming the face where no valid
 // triangulation is found for another reason; for a patch of several faces FacesNotTriangulated.
 Triangulation triangulate(const RunContext& context, PatchSurface& surface, Evaluator& evaluator,
-                          const Discretization& boundary, const Settings& settings);
+                          const Discretization& boundary, const Settings& settings,
+                          Density density = Density::kAsked);
 
 }  // namespace advlayers

@@ -7,7 +7,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 
 #include "base/error.h"
-#include "core/core_improvement.h"
+#include "core/fill_core.h"
 #include "core/star_smoothing.h"
 #include "measure/core_region.h"
 #include "measure/patch_fixture.h"
@@ -30,13 +30,18 @@ std::vector<Case> cases() {
           {"torus", BRepPrimAPI_MakeTorus(9, 3).Shape(), 0.8, 0}};
 }
 
+void fill(TriangulatedFace& face) {
+  fill_core(face.context, face.mesh, face.surface, face.evaluator, face.settings);
+}
+
 class CoreOf : public testing::TestWithParam<Case> {};
 
-TEST_P(CoreOf, ImprovementKeepsTheMeshSoundAndItsFrozenEdges) {
+TEST_P(CoreOf, FillingKeepsTheMeshSoundAndItsFrozenEdges) {
   TriangulatedFace face(GetParam().shape, GetParam().size);
   const auto frozen = frozen_edges(face.mesh);
   const double before = angle_shares(face.mesh).min_angle;
-  improve_core(face.context, face.mesh, face.surface);
+  face.settings.core = CoreElements::kTriangles;
+  fill(face);
   expect_sound(face, GetParam().euler);
   EXPECT_EQ(frozen_edges(face.mesh), frozen);
   EXPECT_GE(angle_shares(face.mesh).min_angle, std::min(before, 30.0));
@@ -45,7 +50,7 @@ TEST_P(CoreOf, ImprovementKeepsTheMeshSoundAndItsFrozenEdges) {
 TEST_P(CoreOf, RecombinationGivesNearlyAllQuadsWithGoodAngles) {
   TriangulatedFace face(GetParam().shape, GetParam().size);
   const auto frozen = frozen_edges(face.mesh);
-  improve_core(face.context, face.mesh, face.surface);
+  fill(face);
   recombine(face.context, face.mesh, face.surface);
   expect_sound(face, GetParam().euler);
   EXPECT_EQ(frozen_edges(face.mesh), frozen);
@@ -60,7 +65,7 @@ TEST_P(CoreOf, RecombinationIsTheSameEveryTime) {
   std::array<std::vector<double>, 2> places;
   for (auto& values : places) {
     TriangulatedFace face(GetParam().shape, GetParam().size);
-    improve_core(face.context, face.mesh, face.surface);
+    fill(face);
     recombine(face.context, face.mesh, face.surface);
     for (std::size_t i = 0; i < face.mesh.vertex_capacity(); ++i) {
       for (const double x : face.mesh.position(VertexH(i))) values.push_back(x);
@@ -75,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Faces, CoreOf, testing::ValuesIn(cases()),
 TEST(Recombine, AsksToStop) {
   TriangulatedFace face(BRepPrimAPI_MakeBox(10, 8, 6).Shape(), 1.0);
   face.context.cancel();
-  EXPECT_THROW(improve_core(face.context, face.mesh, face.surface), Cancelled);
+  EXPECT_THROW(fill(face), Cancelled);
   EXPECT_THROW(recombine(face.context, face.mesh, face.surface), Cancelled);
 }
 
@@ -119,10 +124,22 @@ SurfaceMesh strip_between_triangles(int squares) {
   return mesh;
 }
 
-TEST(TriangleWalk, JoinsTwoTrianglesAcrossQuads) {
+class TriangleWalk : public testing::Test {
+ protected:
+  TriangleWalk()
+      : model(model_of(BRepPrimAPI_MakeBox(gp_Pnt(-9, -9, -30), 30, 30, 30).Shape())),
+        evaluator(model),
+        surface(evaluator, {FaceId(5)}) {}
+
+  const Model model;
+  Evaluator evaluator;
+  PatchSurface surface;
+};
+
+TEST_F(TriangleWalk, JoinsTwoTrianglesAcrossQuads) {
   for (const int squares : {1, 2, 5}) {
     SurfaceMesh mesh = strip_between_triangles(squares);
-    EXPECT_EQ(join_triangles(RunContext(), mesh), 1);
+    EXPECT_EQ(join_triangles(RunContext(), mesh, surface), 1);
     EXPECT_EQ(find_connectivity_fault(mesh), "");
     EXPECT_EQ(find_inverted_element(mesh), "");
     EXPECT_EQ(mesh.face_count(), squares + 1);
@@ -130,13 +147,47 @@ TEST(TriangleWalk, JoinsTwoTrianglesAcrossQuads) {
   }
 }
 
-TEST(TriangleWalk, StaysWithinFrozenEdges) {
+TEST_F(TriangleWalk, StaysWithinFrozenEdges) {
   SurfaceMesh mesh = strip_between_triangles(3);
   const HalfedgeH wall = mesh.find_halfedge(VertexH(4), VertexH(5));
   ASSERT_TRUE(wall.valid());
   mesh.set_frozen(wall, true);
-  EXPECT_EQ(join_triangles(RunContext(), mesh), 0);
+  EXPECT_EQ(join_triangles(RunContext(), mesh, surface), 0);
   EXPECT_EQ(mesh.face_count(), 5);
+}
+
+// Two columns begin side by side, below the middle of the row above: the vertex between them lies
+// in line with its neighbours until it is moved.
+TEST_F(TriangleWalk, OpensTheQuadOfTwoRowEndsInLine) {
+  SurfaceMesh mesh;
+  const auto add = [&](double x, double y) {
+    VertexData data;
+    data.point = evaluator.closest(FaceId(5), Vec3(x, y, 0.0));
+    data.normal = Vec3::UnitZ();
+    data.support = x == 1.0 && y == 1.0 ? Support::kPatch : Support::kEdge;
+    return mesh.add_vertex(data);
+  };
+  const std::vector<VertexH> low{add(0, 0), add(1, 0), add(2, 0)};
+  std::array<std::vector<VertexH>, 2> rows;
+  for (std::size_t row = 0; row < 2; ++row) {
+    for (const double x : {-0.2, 0.4, 1.0, 1.6, 2.2}) {
+      rows[row].push_back(add(x, 1.0 + static_cast<double>(row)));
+    }
+  }
+  const std::vector<VertexH>&mid = rows[0], &high = rows[1];
+  std::vector<std::vector<VertexH>> faces{{low[0], low[1], mid[1], mid[0]},
+                                          {low[1], mid[2], mid[1]},
+                                          {low[1], mid[3], mid[2]},
+                                          {low[1], low[2], mid[4], mid[3]}};
+  for (std::size_t k = 0; k + 1 < mid.size(); ++k) {
+    faces.push_back({mid[k], mid[k + 1], high[k + 1], high[k]});
+  }
+  mesh.build(faces);
+  EXPECT_EQ(join_triangles(RunContext(), mesh, surface), 1);
+  EXPECT_EQ(find_connectivity_fault(mesh), "");
+  EXPECT_EQ(find_inverted_element(mesh), "");
+  EXPECT_EQ(angle_shares(mesh).quads, 1.0);
+  EXPECT_GT(mesh.position(mid[2]).y(), 1.1);
 }
 
 // Nine unit squares on the plane face of a box, with the corners of the middle one displaced.
