@@ -85,6 +85,12 @@ def global_shape(document_object):
     return shape
 
 
+def model_of(mesh_object):
+    """The core's model of what a mesh object meshes."""
+    shape = global_shape(mesh_object.Part)
+    return load_core().read_brep(shape.exportBrepToString(), mesh_object.SewTolerance.Value)
+
+
 def _read_document(path: str, wanted: Optional[str], sew_tolerance: float,
                    parameters: Mapping[str, Any]) -> Tuple[str, str, str]:
     """BREP text, label and note; the text has made a model."""

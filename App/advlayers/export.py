@@ -15,6 +15,7 @@ from advlayers.formats.mesh_parts import MeshParts
 
 # Of the diagonal of a box: what it may have about a plane face.
 _AIR = 1e-5
+_PYRAMIDS = frozenset(("pyramid5", "pyramid13"))
 
 
 @dataclass
@@ -33,7 +34,8 @@ class Asked:
 
     groups: Mapping[str, Sequence[str]]
     order: int = 1
-    volume: bool = False
+    cells: FrozenSet[str] = frozenset()  # kinds of its volume elements
+    quad_nodes: int = 8  # of order 2
 
 
 @dataclass(frozen=True)
@@ -162,12 +164,15 @@ def check_format(key: str, path: str, freecad: bool) -> None:
 def check_carries(key: str, path: str, asked: Asked) -> None:
     """Raises InputError where the format cannot carry what the mesh is to have."""
     entry = FORMATS[format_of(path)]
-    if asked.order == 2 and not {"tri6", "quad8"} <= entry.kinds:
-        raise InputError(key, "{} files have no elements of second order: {}", entry.title, path)
-    if entry.only_cells and not asked.volume:
+    if asked.order == 2:
+        _check_order(key, path, entry, asked)
+    if entry.only_cells and not asked.cells:
         raise InputError(key, "{} needs cells: ask for extrude or volume: {}", entry.title, path)
-    if asked.volume and "tet4" not in entry.kinds:
+    if asked.cells and "tet4" not in entry.kinds:
         raise InputError(key, "{} files have no volume elements: {}", entry.title, path)
+    if asked.cells & _PYRAMIDS - entry.kinds:
+        raise InputError(key, "{} files have no pyramids, which stand on quads that are kept: {}",
+                         entry.title, path)
     for group, members in asked.groups.items():
         edges = [member for member in members if member.startswith("Edge")]
         if edges and not entry.edges:
@@ -177,11 +182,30 @@ def check_carries(key: str, path: str, asked: Asked) -> None:
         _check_one_name(key, path, entry, asked)
 
 
+def _check_order(key: str, path: str, entry: Format, asked: Asked) -> None:
+    second = {"tri6", f"quad{asked.quad_nodes}"}
+    if entry.kinds & second == second:
+        return
+    if "tri6" not in entry.kinds:
+        raise InputError(key, "{} files have no elements of second order: {}", entry.title, path)
+    raise InputError(key, "{} files have no quads of {} nodes: {}", entry.title, asked.quad_nodes,
+                     path)
+
+
+def check_kinds(key: str, path: str, parts: MeshParts) -> None:
+    """Raises InputError where the format lacks elements that no one asked for by name: those about
+    an axis."""
+    entry = FORMATS[format_of(path)]
+    if any(block.kind in _PYRAMIDS - entry.kinds for block in parts.blocks):
+        raise InputError(key, "{} files have no pyramids, which the mesh has along the axis: {}",
+                         entry.title, path)
+
+
 def check_shape(key: str, path: str, asked: Asked, low: Sequence[float],
                 high: Sequence[float]) -> None:
     """Raises InputError where the format has plane domains only, and what is to be meshed is none;
     the corners are those of a box about it, with some air."""
-    if format_of(path) == ".su2" and not asked.volume and plane.axes(low, high, _AIR) is None:
+    if format_of(path) == ".su2" and not asked.cells and plane.axes(low, high, _AIR) is None:
         raise InputError(key, "SU2 files have plane domains (x, y or z constant) and volumes, no "
                          "surfaces: {}", path)
 

@@ -1,17 +1,19 @@
 """Plane meshes made solid: hexahedra and prisms, extruded to a plate or turned about an axis.
 
 The sides take the names of the CAD edges that they come from, and their groups; the cells those of
-the CAD faces. Two patches of their own close the ends.
+the CAD faces. Two patches of their own close the ends. What is of second order stays so: its cells
+are made of the corners, on every other level, and then get the nodes between them.
 """
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Dict, FrozenSet, List, Mapping, Optional, Tuple
 
 import numpy as np
 
 from advlayers.errors import InputError
-from advlayers.formats.mesh_parts import Block, Group, MeshParts
+from advlayers.formats.mesh_parts import (
+    KINDS, SECOND_ORDER, Block, Group, MeshParts, of_first_order)
 
 _PLANE = 1e-6  # of the diagonal: how far nodes may lie off their plane
 _ON_AXIS = 1e-9  # of the diagonal
@@ -50,21 +52,30 @@ def of_settings(values: Mapping[str, Any]) -> Extrusion:
                      values["patch_types"])
 
 
+def kinds(how: Extrusion, order: int) -> FrozenSet[str]:
+    """Of the cells, but for those at nodes on an axis."""
+    first = ("hex8", "prism6")
+    return frozenset(first if order == 1 else (SECOND_ORDER[kind] for kind in first))
+
+
 def extrude(parts: MeshParts, how: Extrusion) -> MeshParts:
     """Raises InputError for a mesh that is not plane, or that the axis cuts."""
-    if parts.second_order:
-        raise InputError("extrude", "makes elements of first order: it does not go with order 2")
     flat = _Flat(parts, how)
-    count = len(parts.nodes)
-    levels = np.arange(how.cells + 1) / how.cells
+    steps = how.cells * (2 if parts.second_order else 1)
+    levels = np.arange(steps + 1) / steps
     if how.axis is None:
         shifts = levels[:, None, None] * how.thickness * flat.normal
-        nodes = (parts.nodes + shifts).reshape(-1, 3)
-        index = np.arange(len(nodes)).reshape(len(levels), count)
+        nodes = (flat.nodes + shifts).reshape(-1, 3)
+        index = np.arange(len(nodes)).reshape(len(levels), -1)
     else:
         turns = np.radians(how.angle) * (levels - 0.5)
-        nodes, index = _turned(parts.nodes, flat, turns)
-    return _made_solid(parts, how, flat, nodes, index)
+        nodes, index = _turned(flat.nodes, flat, turns)
+    if parts.second_order:
+        made = _with_mid_nodes(_made_solid(of_first_order(parts), how, flat, nodes, index[::2]),
+                               *_mids(flat, index))
+    else:
+        made = _made_solid(parts, how, flat, nodes, index)
+    return _without_spare(made)
 
 
 class _Flat:
@@ -78,7 +89,8 @@ class _Flat:
         points = parts.nodes[used]
         middle = points.mean(axis=0)
         diagonal = float(np.linalg.norm(np.ptp(points, axis=0)))
-        areas = {block.kind: _area_vectors(parts.nodes, block.cells) for block in surface}
+        areas = {block.kind: _area_vectors(parts.nodes, block.cells[:, :KINDS[block.kind].corners])
+                 for block in surface}
         own = np.linalg.svd(points - middle, full_matrices=False)[2][2]
         off = np.abs((points - middle) @ own)
         if off.max() > _PLANE * diagonal:
@@ -88,8 +100,12 @@ class _Flat:
         self.on_axis = np.zeros(len(parts.nodes), bool)
         if how.axis is not None:
             self._find_axis(parts.nodes, used, how, diagonal)
-        self.blocks = _cut_at_axis([_upright(block, areas[block.kind] @ self.normal)
-                                    for block in surface], self.on_axis)
+        whole = of_first_order(parts).of(2)
+        self.blocks, diagonals = _cut_at_axis([_upright(block, areas[curved.kind] @ self.normal)
+                                               for block, curved in zip(whole, surface)],
+                                              self.on_axis)
+        self.nodes = parts.nodes
+        self.mids = self._mids_of_sides(surface, diagonals) if parts.second_order else []
 
     @staticmethod
     def _direction(own, area, how: Extrusion):
@@ -129,6 +145,61 @@ class _Flat:
         # A turn about the axis moves a point of the plane along axis x radius.
         self.normal = np.cross(self.axis, outward)
 
+    def _mids_of_sides(self, surface: List[Block], diagonals):
+        """(m, 3): two corners, and the node between them."""
+        found = [np.zeros((0, 3), np.int64)]
+        for block in surface:
+            kind = KINDS[block.kind]
+            found += [block.cells[:, [a, b, kind.corners + k]]
+                      for k, (a, b) in enumerate(kind.sides)]
+        if len(diagonals):
+            # In the middle of the curved quad that was cut.
+            sides = np.concatenate(found)
+            known = _Pairs(sides[:, :2], sides[:, 2])
+            mids = known.find(diagonals[:, [[0, 1], [1, 2], [2, 3], [3, 0]]].reshape(-1, 2))
+            middle = (self.nodes[mids].reshape(-1, 4, 3).sum(axis=1) / 2.0
+                      - self.nodes[diagonals].sum(axis=1) / 4.0)
+            numbers = len(self.nodes) + np.arange(len(middle))
+            self.nodes = np.concatenate([self.nodes, middle])
+            self.on_axis = np.concatenate([self.on_axis, np.zeros(len(middle), bool)])
+            found.append(np.column_stack([diagonals[:, [0, 2]], numbers]))
+        return np.concatenate(found)
+
+
+class _Pairs:
+    """A value by two nodes, whichever comes first."""
+
+    def __init__(self, pairs, values) -> None:
+        self._keys, first = np.unique(_keys(np.sort(pairs, axis=1)), return_index=True)
+        self._values = values[first]
+
+    def find(self, pairs):
+        return self._values[np.searchsorted(self._keys, _keys(np.sort(pairs, axis=1)))]
+
+
+def _mids(flat: _Flat, index) -> Tuple[Any, Any]:
+    """Pairs of nodes of the solid, and the node between them: in the levels that have corners, and
+    on the ways of the corners, which pass through the levels between."""
+    a, b, mid = flat.mids.T
+    pairs = [np.stack([level[a], level[b]], axis=1) for level in index[::2]]
+    mids = [level[mid] for level in index[::2]]
+    corners = np.unique(flat.mids[:, :2])
+    corners = corners[~flat.on_axis[corners]]
+    for low, middle, high in zip(index[:-2:2], index[1:-1:2], index[2::2]):
+        pairs.append(np.stack([low[corners], high[corners]], axis=1))
+        mids.append(middle[corners])
+    return np.concatenate(pairs), np.concatenate(mids)
+
+
+def _with_mid_nodes(made: MeshParts, pairs, mids) -> MeshParts:
+    known = _Pairs(pairs, mids)
+    blocks = []
+    for block in made.blocks:
+        kind = SECOND_ORDER[block.kind]
+        own = [known.find(block.cells[:, list(side)])[:, None] for side in KINDS[kind].sides]
+        blocks.append(replace(block, kind=kind, cells=np.hstack([block.cells, *own])))
+    return made.with_blocks(blocks)
+
 
 def _area_vectors(nodes, cells):
     corners = nodes[cells]
@@ -143,10 +214,11 @@ def _upright(block: Block, areas) -> Block:
     return replace(block, cells=np.where((areas > 0.0)[:, None], block.cells, turned))
 
 
-def _cut_at_axis(blocks: List[Block], on_axis) -> List[Block]:
+def _cut_at_axis(blocks: List[Block], on_axis) -> Tuple[List[Block], Any]:
     """Quads with one corner on the axis become two triangles: a cell of seven nodes has no name in
-    most formats."""
+    most formats. Returns these quads as well, cut from their first to their third corner."""
     made: List[Block] = []
+    quads = np.zeros((0, 4), np.int64)
     for block in blocks:
         if block.kind != "quad4":
             made.append(block)
@@ -159,10 +231,11 @@ def _cut_at_axis(blocks: List[Block], on_axis) -> List[Block]:
         first = np.argmax(on_axis[cells], axis=1)
         rows = np.arange(len(cells))
         a, b, c, d = (cells[rows, (first + k) % 4] for k in range(4))
+        quads = np.stack([a, b, c, d], axis=1)
         halves = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
         made.append(Block("tri3", halves, np.tile(block.part[single], 2),
                           np.tile(block.layers[single], 2)))
-    return [block for block in made if len(block)]
+    return [block for block in made if len(block)], quads
 
 
 def _some(block: Block, chosen) -> Block:
@@ -209,8 +282,8 @@ def _made_solid(parts: MeshParts, how: Extrusion, flat: _Flat, nodes, index) -> 
     names.update({(2, back): how.back, (2, back + 1): how.front})
     closed = "empty" if how.axis is None else "wedge"
     types = {how.back: closed, how.front: closed, **(how.patch_types or {})}
-    nodes, blocks = _without_spare(nodes, _joined(sides + ends + volume))
-    return MeshParts(nodes, tuple(blocks), _raised(parts.groups), names, types, parts.metre)
+    return MeshParts(nodes, tuple(_joined(sides + ends + volume)), _raised(parts.groups), names,
+                     types, parts.metre)
 
 
 def _reversed(cells):
@@ -294,10 +367,11 @@ def _joined(blocks: List[Block]) -> List[Block]:
             for kind, found in by_kind.items()]
 
 
-def _without_spare(nodes, blocks: List[Block]):
+def _without_spare(made: MeshParts) -> MeshParts:
     """Without nodes of no element."""
-    used = np.zeros(len(nodes), bool)
-    for block in blocks:
+    used = np.zeros(len(made.nodes), bool)
+    for block in made.blocks:
         used[block.cells] = True
     place = np.cumsum(used) - 1
-    return nodes[used], [replace(block, cells=place[block.cells]) for block in blocks]
+    return replace(made, nodes=made.nodes[used], blocks=tuple(
+        replace(block, cells=place[block.cells]) for block in made.blocks))

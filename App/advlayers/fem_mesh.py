@@ -9,7 +9,7 @@ from typing import Callable, Dict, Optional, Tuple
 import numpy as np
 
 from advlayers.formats import med, unv
-from advlayers.formats.mesh_parts import MeshParts
+from advlayers.formats.mesh_parts import MeshParts, order_of
 
 # Entries between two looks at the request to stop: some 20 ms.
 _BLOCK = 5000
@@ -17,6 +17,9 @@ _BLOCK = 5000
 _ORDERS: Dict[str, Tuple[int, ...]] = {
     "tet4": (0, 2, 1, 3), "tet10": (0, 2, 1, 3, 6, 5, 4, 7, 9, 8), "pyramid5": (0, 3, 2, 1, 4),
     "prism6": (0, 2, 1, 3, 5, 4), "hex8": (0, 3, 2, 1, 4, 7, 6, 5),
+    "pyramid13": order_of("pyramid13", (0, 3, 2, 1, 4)),
+    "prism15": order_of("prism15", (0, 2, 1, 3, 5, 4)),
+    "hex20": order_of("hex20", (0, 3, 2, 1, 4, 7, 6, 5)),
 }
 
 

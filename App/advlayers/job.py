@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from typing import Any, Dict, Mapping, Optional, Tuple
 
 from advlayers import (
-    cad_input, document_values, export, faceted, flow_height, initial_mesh, presets)
+    cad_input, document_values, export, extrusion, faceted, flow_height, initial_mesh, presets)
 from advlayers.errors import InputError
-from advlayers.extrusion import Extrusion, of_settings
 from advlayers.formats import polymesh
 from advlayers.settings_check import check_all
 from advlayers.settings_table import EXPORT_SETTINGS, JOB_SETTINGS, MESH_SETTINGS
+from advlayers.volume import fill
 
 _MOST_DIGITS = 300  # of a whole number; what has more is infinite, which no setting may be
 
@@ -30,13 +30,18 @@ class Job:
     strict: bool
     parameters: Mapping[str, Any] = field(default_factory=dict)  # of the document
     picture: Optional[str] = None
-    extrude: Optional[Extrusion] = None
+    extrude: Optional[extrusion.Extrusion] = None
     volume: Optional[Dict[str, Any]] = None  # the checked block
 
     @property
     def asked(self) -> export.Asked:
-        return export.Asked(_groups_written(self), self.settings["order"],
-                            bool(self.extrude or self.volume))
+        order = self.settings["order"]
+        cells = frozenset()
+        if self.extrude:
+            cells = extrusion.kinds(self.extrude, order)
+        elif self.volume:
+            cells = fill.kinds(self.volume, order)
+        return export.Asked(_groups_written(self), order, cells, self.export["quad_nodes"])
 
 
 def read_job(path: str) -> Job:
@@ -62,16 +67,23 @@ def read_job(path: str) -> Job:
         strict=values["strict"],
         parameters=values["parameters"],
         picture=values["picture"] and os.path.normpath(os.path.join(folder, values["picture"])),
-        extrude=values["extrude"] and of_settings(values["extrude"]),
+        extrude=values["extrude"] and extrusion.of_settings(values["extrude"]),
         volume=values["volume"],
     )
     flow_height.of_settings(job.settings)  # refuses what contradicts itself
     if job.extrude and job.volume:
         raise InputError("volume", "does not go with extrude")
-    if job.extrude and job.settings["order"] == 2:
-        raise InputError("order", "must be 1 with extrude, got 2")
+    if job.export["quad_nodes"] == 9:
+        _check_quads_of_9(job)
     _check_files(job, path)
     return job
+
+
+def _check_quads_of_9(job: Job) -> None:
+    if job.settings["order"] == 1:
+        raise InputError("quad_nodes", "goes with order 2 only, got 9")
+    if job.extrude or job.volume:
+        raise InputError("quad_nodes", "is of surfaces: 9 does not go with extrude or volume")
 
 
 def in_freecad() -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List
 
-from advlayers import extrusion
+from advlayers import extrusion, quad_centres
 from advlayers.formats.mesh_parts import MeshParts, of_mesh
 from advlayers.report import info
 from advlayers.sentence import Sentence
@@ -26,7 +26,8 @@ def job_mesh(job, mesh, model, label: str, size: float,
     if job.extrude is not None:
         return JobMesh(extrusion.extrude(parts, job.extrude))
     if job.volume is None:
-        return JobMesh(parts)
+        nine = job.export["quad_nodes"] == 9
+        return JobMesh(quad_centres.added(parts, model.project) if nine else parts)
     filled = VolumeFill.of_settings(job.volume, size).fill(
         parts, model.solids, label, model.project, watch)
     return JobMesh(filled.parts, filled.figures, _notes(filled.figures))

@@ -58,6 +58,8 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
     start = time.perf_counter()
     made = job_mesh(job, mesh, cad.model, job.input_name, for_core.size,
                     lambda: watch("write", []))
+    for i, path in enumerate(job.outputs):
+        export.check_kinds(f"outputs[{i}]", path, made.parts)
     product = export.Product(made.parts.scaled(job.export["scale"]), job.export)
     try:
         _add_document(job, cad, mesh, made, product)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import errno
 
-from advlayers import export, stored_mesh
+from advlayers import cad_input, export, quad_centres, stored_mesh
 from advlayers.errors import InputError
 from advlayers.formats import mesh_parts
 from advlayers.outputs import Outputs
@@ -19,8 +19,15 @@ def export_mesh(mesh_object, path: str, **options) -> None:
     export.check_format("file", path, freecad=True)
     checked = check_all(options, EXPORT_SETTINGS)
     mesh = stored_mesh.read(mesh_object)
-    export.check_carries("file", path, export.Asked(mesh.named))
+    order = 2 if len(mesh.mid_nodes) else 1
+    nine = checked["quad_nodes"] == 9
+    if nine and order == 1:
+        raise InputError("quad_nodes", "goes with order 2 only, got 9")
+    export.check_carries("file", path, export.Asked(
+        mesh.named, order, quad_nodes=checked["quad_nodes"]))
     parts = mesh_parts.of_mesh(mesh, mesh.named, mesh_object.LayerGroups)
+    if nine:
+        parts = quad_centres.added(parts, cad_input.model_of(mesh_object).project)
     product = export.Product(parts.scaled(checked["scale"]), checked, mesh_object.Document)
     try:
         with Outputs() as outputs:

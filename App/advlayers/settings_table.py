@@ -172,6 +172,11 @@ EXPORT_SETTINGS = (
         "msh_version", "choice", "4.1", "The version of .msh files.", choices=("4.1", "2.2"),
     ),
     Setting(
+        "quad_nodes", "count", 8,
+        "Nodes of a quad of order 2: 8, or 9 with one in its middle, on the face.",
+        low=8, high=9,
+    ),
+    Setting(
         "inp_elements", "choice", "shell",
         "What the surface elements of .inp files are: S4, S4R, CPS4, CPE4, CAX4 or M3D4 and those "
         "of three, six and eight nodes.",

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from advlayers import analysis, cad_input, fem_mesh, stored_mesh
-from advlayers.core_access import load_core
 from advlayers.formats.mesh_parts import MeshParts, of_mesh
 from advlayers.language import tr
 from advlayers.layer_mesh import window_watch
@@ -23,8 +22,7 @@ def fill(mesh_object, **options):
     checked = check_all(options, VOLUME_SETTINGS)
     mesh = stored_mesh.read(mesh_object)
     parts = of_mesh(mesh, mesh.named)
-    shape = cad_input.global_shape(mesh_object.Part)
-    model = load_core().read_brep(shape.exportBrepToString(), mesh_object.SewTolerance.Value)
+    model = cad_input.model_of(mesh_object)
     filled = VolumeFill.of_settings(checked, mesh_object.Size.Value).fill(
         parts, model.solids, mesh_object.Label, model.project, lambda: window_watch.get()([]))
     made = add_object(mesh_object, filled.parts)

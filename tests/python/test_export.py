@@ -7,7 +7,7 @@ import core_meshes
 import numpy as np
 import pytest
 
-from advlayers import export
+from advlayers import export, quad_centres
 from advlayers.errors import InputError
 from advlayers.extrusion import Extrusion, extrude
 from advlayers.formats import mesh_parts
@@ -82,20 +82,69 @@ def test_layers_are_groups_where_that_is_asked_for(tmp_path, layer_groups):
 
 
 def carries(path, **asked):
+    asked["cells"] = frozenset(asked.get("cells", ()))
     export.check_carries("outputs[0]", path, export.Asked(**{"groups": {}, **asked}))
 
 
 def test_what_a_format_cannot_carry_is_said():
-    carries("a.vtu", groups={"rim": ["Edge1"]}, order=2, volume=True)
+    carries("a.vtu", groups={"rim": ["Edge1"]}, order=2, cells={"hex20", "prism15"})
     with pytest.raises(InputError, match="STL files have no edges: the group rim of Edge1"):
         carries("a.stl", groups={"rim": ["Face1", "Edge1"]})
     with pytest.raises(InputError, match="no elements of second order: a.SU2"):
         carries("a.SU2", order=2)
     with pytest.raises(InputError, match="OBJ|Wavefront files have no volume elements"):
-        carries("a.obj", volume=True)
+        carries("a.obj", cells={"tet4"})
+    for path in ("a.inp", "a.unv"):
+        carries(path, cells={"tet4"})
+        with pytest.raises(InputError, match="no pyramids, which stand on quads that are kept"):
+            carries(path, cells={"tet4", "pyramid5"})
+    carries("a.med", order=2, quad_nodes=9)
+    with pytest.raises(InputError, match="Abaqus files have no quads of 9 nodes: a.inp"):
+        carries("a.inp", order=2, quad_nodes=9)
+    with pytest.raises(InputError, match="Medit files have no quads of 8 nodes: a.mesh"):
+        carries("a.mesh", order=2)
     with pytest.raises(InputError, match="Face1 is in the groups a and b"):
         carries("a.b8.ugrid", groups={"a": ["Face1"], "b": ["Face2", "Face1"]})
     carries("a.msh", groups={"a": ["Face1"], "b": ["Face2", "Face1"]})
+
+
+def test_pyramids_about_an_axis_are_found():
+    made = extrude(mesh_parts.of_mesh(core_meshes.mesh("square", size=3.0, core="triangles"), {}),
+                   Extrusion(axis=((0, 0, 0), (1, 0, 0)), angle=5.0))
+    export.check_kinds("outputs[0]", "a.msh", made)
+    with pytest.raises(InputError, match="no pyramids, which the mesh has along the axis: a.inp"):
+        export.check_kinds("outputs[0]", "a.inp", made)
+
+
+@pytest.mark.parametrize("shape", ["sphere", "cylinder", "box"])
+def test_centres_of_quads_lie_on_the_shape(shape):
+    parts = mesh_parts.of_mesh(core_meshes.mesh(shape, size=3.0, first_height=0.5, layers=2,
+                                                order=2), {})
+    made = quad_centres.added(parts, core_meshes.model(shape).project)
+    before, block = parts.of(2)[0], made.of(2)[0]
+    assert block.kind == "quad9" and np.array_equal(block.cells[:, :8], before.cells)
+    assert np.array_equal(block.cells[:, 8], np.arange(len(parts.nodes), len(made.nodes)))
+    points = made.nodes[block.cells]
+    middle = points[:, :4].mean(axis=1)
+    size = np.linalg.norm(points[:, 2] - points[:, 0], axis=1)
+    assert (np.linalg.norm(points[:, 8] - middle, axis=1) < 0.2 * size).all()
+    assert (quad_centres.least_area(points) > 0.0).all()
+    centre = points[:, 8]
+    if shape == "sphere":
+        assert np.allclose(np.linalg.norm(centre, axis=1), 6.0, atol=1e-12)
+    elif shape == "cylinder":
+        ends = np.isin(centre[:, 2], (0.0, 12.0))
+        assert np.allclose(np.hypot(*centre[~ends, :2].T), 5.0, atol=1e-12)
+
+
+def test_an_upside_down_centre_is_drawn_back():
+    """A plane quad whose centre would be put outside it."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.0]])
+    nodes = np.concatenate([corners, (corners + np.roll(corners, -1, axis=0)) / 2.0])
+    parts = mesh_parts.MeshParts(nodes, (mesh_parts.Block(
+        "quad8", np.arange(8)[None], np.ones(1, np.int32)),))
+    made = quad_centres.added(parts, lambda _face, points: points + [2.0, 0.0, 0.0])
+    assert np.array_equal(made.nodes[8], [0.5, 0.5, 0.0])
 
 
 def test_formats_say_truly_which_kinds_they_have(parts, tmp_path):

@@ -81,6 +81,59 @@ def test_a_wedge(core, axis):
     assert made.patch_types["front"] == made.patch_types["back"] == "wedge"
 
 
+def same_corners(curved, straight):
+    for one, other in zip(curved.blocks, straight.blocks):
+        corners = mesh_parts.KINDS[one.kind].corners
+        assert one.kind == mesh_parts.SECOND_ORDER[other.kind]
+        assert np.array_equal(one.part, other.part)
+        assert np.array_equal(curved.nodes[one.cells[:, :corners]], straight.nodes[other.cells])
+
+
+def mids_off_chords(made):
+    """By kind (m, sides): how far from the middle between its ends, of the distance of the ends."""
+    for block in made.blocks:
+        kind = mesh_parts.KINDS[block.kind]
+        x = made.nodes[block.cells]
+        for k, (a, b) in enumerate(kind.sides):
+            chord = np.linalg.norm(x[:, a] - x[:, b], axis=1)
+            yield np.linalg.norm(x[:, kind.corners + k] - (x[:, a] + x[:, b]) / 2, axis=1) / chord
+
+
+def test_second_order_stays_on_the_hole():
+    settings = {"size": 3.0, "first_height": 0.5, "layers": 2, "walls": [{"edges": ["Edge5"]}]}
+    made, straight = (extrude(mesh_parts.of_mesh(core_meshes.mesh(
+        "quarter_plate", order=order, **settings), {"hole": ["Edge5"]}),
+        Extrusion(thickness=2.0, cells=2)) for order in (2, 1))
+    same_corners(made, straight)
+    assert {block.kind for block in made.of(3)} <= {"hex20", "prism15"}
+    hole, = (group.parts for group in made.groups)
+    at = np.unique(np.concatenate([block.cells[np.isin(block.part, hole)].ravel()
+                                   for block in made.of(2)]))
+    assert np.allclose(np.hypot(*made.nodes[at, :2].T), 2.0, atol=1e-12)
+    assert set(np.round(made.nodes[:, 2], 12)) == {0.0, 0.5, 1.0, 1.5, 2.0}
+    assert max(off.max() for off in mids_off_chords(made)) < 0.1
+    assert len(np.unique(made.nodes.round(9), axis=0)) == len(made.nodes)
+
+
+@pytest.mark.parametrize("core", ["quads", "triangles"])
+@pytest.mark.parametrize("axis", [((0, 0, 0), (1, 0, 0)), ((-4, 1, 0), (0, 1, 0))])
+def test_second_order_is_turned_along_arcs(core, axis):
+    how = Extrusion(axis=axis, angle=30.0, cells=2)
+    made, straight = (extrude(square_parts(core=core, layers=1, order=order), how)
+                      for order in (2, 1))
+    same_corners(made, straight)
+    # The chord of 15 degrees lies 3.3 % of its length within the arc.
+    assert max(off.max() for off in mids_off_chords(made)) == pytest.approx(0.0328, abs=1e-3)
+    far = made.nodes - axis[0]
+    radius = np.linalg.norm(np.cross(far, axis[1]), axis=1)
+    assert np.isclose(radius.max(), 10.0 if axis[0][0] == 0 else 14.0, atol=1e-12)
+    outermost = [block.cells[block.part == (3 if axis[0][0] == 0 else 2)] for block in made.of(2)]
+    for cells in outermost:
+        assert np.allclose(radius[cells], radius.max(), atol=1e-12)
+    assert sum(len(cells) for cells in outermost)
+    assert len(np.unique(made.nodes.round(9), axis=0)) == len(made.nodes)
+
+
 @pytest.mark.parametrize("how, said", [
     (Extrusion(thickness=1.0, direction=(1, 0, 0)), "right angles to the plane"),
     (Extrusion(axis=((5, 0, 0), (0, 1, 0)), angle=5.0), "lies on both sides"),

@@ -5,17 +5,21 @@ from functools import lru_cache
 
 import core_meshes
 import numpy as np
+from advlayers.extrusion import Extrusion, extrude
 from advlayers.formats import plane
 from advlayers.formats.mesh_parts import KINDS, Block, Group, MeshParts, of_mesh
 
-NAMES = ("solid", "plane", "facets", "second", "extruded", "filled", "filled second")
+NAMES = ("solid", "plane", "facets", "second", "nine", "extruded", "extruded second",
+         "turned second", "filled", "filled second")
 THICKNESS = 0.75
 
 
 @lru_cache(maxsize=None)
 def case(name):
     return {"solid": _solid, "plane": _plane, "facets": _facets, "second": _second,
-            "extruded": _extruded, "filled": _filled, "filled second": _filled_second}[name]()
+            "nine": _nine, "extruded": _extruded, "extruded second": _extruded_second,
+            "turned second": _turned_second, "filled": _filled,
+            "filled second": _filled_second}[name]()
 
 
 def _solid():
@@ -56,12 +60,38 @@ def _facets():
     return MeshParts(parts.nodes[used], (block,), (Group("lid", 2, (6,)),))
 
 
-SECOND = {"line2": "line3", "tri3": "tri6", "quad4": "quad8", "tet4": "tet10"}
+SECOND = {"line2": "line3", "tri3": "tri6", "quad4": "quad8", "tet4": "tet10", "hex8": "hex20",
+          "prism6": "prism15"}
 
 
 def _second():
     """The bracket with a node in the middle of each side, moved off the straight line."""
     return _with_middles(_solid(), 0.001)
+
+
+def _nine():
+    """The bracket with a node in the middle of each quad, too."""
+    parts = _second()
+    nodes, blocks = parts.nodes, []
+    for block in parts.blocks:
+        if block.kind == "quad8":
+            numbers = len(nodes) + np.arange(len(block), dtype=np.int32)
+            nodes = np.vstack([nodes, parts.nodes[block.cells].mean(axis=1)])
+            block = replace(block, kind="quad9", cells=np.column_stack([block.cells, numbers]))
+        blocks.append(block)
+    return replace(parts, nodes=nodes, blocks=tuple(blocks))
+
+
+def _extruded_second():
+    return _with_middles(_extruded(), 0.0)
+
+
+def _turned_second():
+    """A square turned about one of its sides, two cells about: hexahedra, prisms, and pyramids and
+    tetrahedra at the axis."""
+    square = of_mesh(core_meshes.mesh("square", size=3.0, first_height=1.0, layers=1, order=2,
+                                      core="triangles"), {"rim": ["Edge3"]})
+    return extrude(square, Extrusion(axis=((0, 0, 0), (1, 0, 0)), angle=40.0, cells=2))
 
 
 def _filled_second():

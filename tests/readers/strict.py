@@ -110,9 +110,14 @@ def mapbc(path):
     return found
 
 
-BDF_KINDS = {"CTRIA3": ("tri3", 3), "CTRIA6": ("tri6", 6), "CQUAD4": ("quad4", 4),
-             "CQUAD8": ("quad8", 8), "CPYRAM": ("pyramid5", 5), "CPENTA": ("prism6", 6),
-             "CHEXA": ("hex8", 8)}
+# By card and number of nodes.
+BDF_KINDS = {("CTRIA3", 3): "tri3", ("CTRIA6", 6): "tri6", ("CQUAD4", 4): "quad4",
+             ("CQUAD8", 8): "quad8", ("CTETRA", 4): "tet4", ("CTETRA", 10): "tet10",
+             ("CPYRAM", 5): "pyramid5", ("CPYRAM", 13): "pyramid13", ("CPENTA", 6): "prism6",
+             ("CPENTA", 15): "prism15", ("CHEXA", 8): "hex8", ("CHEXA", 20): "hex20"}
+# G10 to G12 of a CPENTA and G13 to G16 of a CHEXA lie on the edges that stand on the first side.
+BDF_ORDERS = {"prism15": (*range(9), 12, 13, 14, 9, 10, 11),
+              "hex20": (*range(12), 16, 17, 18, 19, 12, 13, 14, 15)}
 
 
 def bdf(path):
@@ -147,12 +152,11 @@ def _bdf_cards(cards, names, sets):
             assert int(fields[0]) == len(points) + 1 and fields[1] == ""
             assert all("." in field for field in fields[2:5])
             points.append([float(field) for field in fields[2:5]])
-        elif name in BDF_KINDS or name == "CTETRA":
-            numbers = [int(field) for field in fields if field]
-            kind, size = BDF_KINDS.get(name, ("tet4" if len(numbers) == 6 else "tet10",
-                                              len(numbers) - 2))
-            assert len(numbers) == 2 + size
-            cells.setdefault(kind, []).append((*numbers[:2], [n - 1 for n in numbers[2:]]))
+        elif any(name == card for card, _count in BDF_KINDS):
+            element, number, *nodes = [int(field) for field in fields if field]
+            kind = BDF_KINDS[name, len(nodes)]
+            nodes = [nodes[i] - 1 for i in BDF_ORDERS.get(kind, range(len(nodes)))]
+            cells.setdefault(kind, []).append((element, number, nodes))
         elif name == "PLOTEL":
             plotted.append([int(field) - 1 for field in fields[1:3]])
         elif name in ("PSHELL", "PSOLID"):

@@ -148,6 +148,7 @@ def test_calculix_finds_the_surface_of_edges(tmp_path):
 
 
 @pytest.mark.parametrize("name, surface, number", [("extruded", "front", 1001),
+                                                   ("extruded second", "front", 1001),
                                                    ("filled", "bottom", 5),
                                                    ("filled second", "bottom", 5)])
 def test_calculix_takes_solids(tmp_path, name, surface, number):
@@ -178,7 +179,7 @@ def test_cgns_is_in_order(tmp_path, name):
     families = set(re.findall(r'Family="(.*)"', text))
     # What lies inside a surface bounds nothing, unless it was asked for.
     inside = {"Edge" + str(number) for number in parts.part_numbers(1)} if name in (
-        "solid", "second") else set()
+        "solid", "second", "nine") else set()
     wanted = set(owned(parts, 2)) | (set(owned(parts, 1)) - inside)
     assert families == {owner.replace(" ", "_") for owner in wanted}
 

@@ -86,7 +86,7 @@ def test_ugrid(tmp_path, name, ending):
             assert np.array_equal(ordered(cells[kind][surfaces[kind] == number]), ordered(rows))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "nine"])
 def test_bdf(tmp_path, name):
     parts = case(name)
     path = str(tmp_path / "mesh.bdf")

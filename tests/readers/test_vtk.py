@@ -10,7 +10,10 @@ from advlayers.formats import obj, ply, vtu
 from advlayers.formats import vtk as legacy
 
 KINDS = {3: "line2", 21: "line3", 5: "tri3", 22: "tri6", 9: "quad4", 23: "quad8", 10: "tet4",
-         24: "tet10", 14: "pyramid5", 13: "prism6", 12: "hex8"}
+         24: "tet10", 14: "pyramid5", 13: "prism6", 12: "hex8", 28: "quad9", 27: "pyramid13",
+         26: "prism15", 25: "hex20"}
+WEDGES = {"prism6": (0, 2, 1, 3, 5, 4),
+          "prism15": (0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13)}
 WRITERS = {"vtu": (vtu.write, vtk.vtkXMLUnstructuredGridReader),
            "vtk": (legacy.write, vtk.vtkUnstructuredGridReader)}
 
@@ -32,8 +35,8 @@ def cells_of(grid):
         grid.GetCellPoints(number, ids)
         kind = KINDS[grid.GetCellType(number)]
         nodes = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
-        if kind == "prism6":  # VTK's begins with a side that is counter-clockwise from outside
-            nodes = [nodes[i] for i in (0, 2, 1, 3, 5, 4)]
+        if kind in WEDGES:  # VTK's begin with a side that is counter-clockwise from outside
+            nodes = [nodes[i] for i in WEDGES[kind]]
         found.setdefault(kind, ([], []))
         found[kind][0].append(nodes)
         found[kind][1].append(number)
@@ -90,7 +93,7 @@ def check_groups(parts, grid, ending, arrays, cells):
                 assert owner == names[number - 1] if number else owner not in names
 
 
-@pytest.mark.parametrize("name", ["extruded", "filled"])
+@pytest.mark.parametrize("name", ["extruded", "extruded second", "turned second", "filled"])
 def test_sides_of_volume_cells_face_outward(tmp_path, name):
     """As VTK itself lists the sides of its cells."""
     parts = case(name)

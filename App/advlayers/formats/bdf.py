@@ -9,12 +9,13 @@ from typing import Any, List, Tuple
 
 import numpy as np
 
-from advlayers.formats.mesh_parts import Block, MeshParts
+from advlayers.formats.mesh_parts import Block, MeshParts, upright_first
 from advlayers.formats.text_file import TextFile
 
 _ELEMENTS = {
     "line2": "PLOTEL", "tri3": "CTRIA3", "tri6": "CTRIA6", "quad4": "CQUAD4", "quad8": "CQUAD8",
-    "tet4": "CTETRA", "tet10": "CTETRA", "pyramid5": "CPYRAM", "prism6": "CPENTA", "hex8": "CHEXA",
+    "tet4": "CTETRA", "tet10": "CTETRA", "pyramid5": "CPYRAM", "pyramid13": "CPYRAM",
+    "prism6": "CPENTA", "prism15": "CPENTA", "hex8": "CHEXA", "hex20": "CHEXA",
 }
 KINDS = frozenset(_ELEMENTS) | {"line3"}
 _FIELDS = 8  # of eight characters, after the name of a card
@@ -42,7 +43,7 @@ def _write_cells(file: TextFile, start: int, block: Block) -> None:
     fields = ["%8d"] * (2 + block.cells.shape[1])
     lines = ["".join(fields[i:i + _FIELDS]) for i in range(0, len(fields), _FIELDS)]
     form = f"{_ELEMENTS[block.kind]:<8}" + "+       \n+       ".join(lines) + "\n"
-    file.numbered(form, start + 1, block.part, block.cells + 1)
+    file.numbered(form, start + 1, block.part, block.cells[:, upright_first(block.kind)] + 1)
 
 
 def _write_lines(file: TextFile, start: int, block: Block, grouped) -> None:

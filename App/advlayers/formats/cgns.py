@@ -12,7 +12,7 @@ import numpy as np
 from advlayers.formats import plane, sides
 from advlayers.formats.boundary_kind import boundary_kind
 from advlayers.formats.hdf5 import folder, open_new
-from advlayers.formats.mesh_parts import MeshParts, Run
+from advlayers.formats.mesh_parts import MeshParts, Run, upright_first
 from advlayers.formats.plain_names import plain_names
 
 # By kind the number of the element type and the order of the nodes.
@@ -22,7 +22,8 @@ _ELEMENTS: Dict[str, Tuple[int, Tuple[int, ...]]] = {
     "quad4": (7, (0, 1, 2, 3)), "quad8": (8, tuple(range(8))), "quad9": (9, tuple(range(9))),
     "tet4": (10, (0, 1, 2, 3)), "tet10": (11, tuple(range(10))),
     "pyramid5": (12, tuple(range(5))), "prism6": (14, tuple(range(6))),
-    "hex8": (17, tuple(range(8))),
+    "hex8": (17, tuple(range(8))), "pyramid13": (21, tuple(range(13))),
+    "prism15": (15, upright_first("prism15")), "hex20": (18, upright_first("hex20")),
 }
 KINDS = frozenset(_ELEMENTS)
 _NAME_SIZE = 32

@@ -15,7 +15,8 @@ from advlayers.formats.mesh_parts import MeshParts
 from advlayers.formats.plain_names import plain_names
 from advlayers.formats.text_file import TextFile
 
-_SOLIDS = {"tet4": "C3D4", "tet10": "C3D10", "prism6": "C3D6", "hex8": "C3D8"}
+_SOLIDS = {"tet4": "C3D4", "tet10": "C3D10", "prism6": "C3D6", "prism15": "C3D15",
+           "hex8": "C3D8", "hex20": "C3D20"}
 # By the choice of element: what stands before the number of nodes, and behind it.
 ELEMENTS: Dict[str, Tuple[str, str]] = {
     "shell": ("S", ""), "reduced shell": ("S", "R"), "plane stress": ("CPS", ""),
@@ -25,6 +26,7 @@ _FLAT = ("tri3", "tri6", "quad4", "quad8")
 KINDS = frozenset(_SOLIDS) | frozenset(_FLAT) | {"line2", "line3"}
 _NAME_SIZE = 60  # of at most 80
 _NUMBERS = 8  # of a set, in a row
+_PER_LINE = 16
 # Which side of a volume element stands where among CalculiX's S1, S2, …
 _SIDE_LABELS = {"tet": (1, 2, 3, 4), "prism": (1, 2, 3, 4, 5), "hex": (1, 2, 3, 4, 5, 6)}
 _FIRST_SHELL_SIDE = 3  # S1 and S2 are its faces
@@ -40,7 +42,7 @@ def write(path: str, parts: MeshParts, elements: str = "shell") -> None:
                 name = _SOLIDS[block.kind] if solid else _flat_type(block.kind, elements)
                 count = block.cells.shape[1]
                 file.text(f"*ELEMENT, TYPE={name}, ELSET=Eall\n")
-                file.numbered("%d" + ", %d" * count + "\n", start + 1, block.cells + 1)
+                file.numbered(_row(count), start + 1, block.cells + 1)
         element_sets = parts.element_sets(3 if solid else 2)
         node_sets = parts.node_sets(2) if solid else []
         node_sets += parts.node_sets(1)
@@ -52,6 +54,13 @@ def write(path: str, parts: MeshParts, elements: str = "shell") -> None:
             file.text(f"*NSET, NSET={plain[name]}\n")
             file.listed(members + 1, "%d", _NUMBERS, ", ")
         _write_surfaces(file, parts, plain, elements)
+
+
+def _row(count: int) -> str:
+    """A line holds 16 numbers; one that goes on ends with a comma."""
+    first = min(count, _PER_LINE - 1)
+    more = count - first
+    return "%d" + ", %d" * first + (",\n" + ", ".join(["%d"] * more) if more else "") + "\n"
 
 
 def _flat_type(kind: str, elements: str) -> str:

@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Tuple
 import numpy as np
 
 from advlayers.formats.hdf5 import folder, open_new
-from advlayers.formats.mesh_parts import Block, MeshParts
+from advlayers.formats.mesh_parts import Block, MeshParts, order_of
 
 # Name of the geometry, and MED's order of the nodes: a volume's first side is clockwise from inside
 # it.
@@ -22,6 +22,9 @@ _TYPES: Dict[str, Tuple[str, Tuple[int, ...]]] = {
     "tet4": ("TE4", (0, 2, 1, 3)), "tet10": ("T10", (0, 2, 1, 3, 6, 5, 4, 7, 9, 8)),
     "pyramid5": ("PY5", (0, 3, 2, 1, 4)),
     "prism6": ("PE6", (0, 2, 1, 3, 5, 4)), "hex8": ("HE8", (0, 3, 2, 1, 4, 7, 6, 5)),
+    "pyramid13": ("P13", order_of("pyramid13", (0, 3, 2, 1, 4))),
+    "prism15": ("P15", order_of("prism15", (0, 2, 1, 3, 5, 4))),
+    "hex20": ("H20", order_of("hex20", (0, 3, 2, 1, 4, 7, 6, 5))),
 }
 KINDS = frozenset(_TYPES)
 _NAME_SIZE = 64  # of a mesh and of a family

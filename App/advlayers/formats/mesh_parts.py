@@ -22,11 +22,18 @@ class Kind(NamedTuple):
     dimension: int
     corners: int
     nodes: int
-    sides: Tuple[Tuple[int, int], ...] = ()  # those that have a node, as places of corners
+    sides: Tuple[Tuple[int, int], ...] = ()  # edges, those that have a node, as places of corners
 
 
-def _ring(corners: int) -> Tuple[Tuple[int, int], ...]:
-    return tuple((i, (i + 1) % corners) for i in range(corners))
+Sides = Tuple[Tuple[int, int], ...]
+
+
+def _ring(corners: int, first: int = 0) -> Sides:
+    return tuple((first + i, first + (i + 1) % corners) for i in range(corners))
+
+
+def _up(corners: int, top: Sequence[int]) -> Sides:
+    return tuple(zip(range(corners), top))
 
 
 KINDS: Dict[str, Kind] = {
@@ -38,12 +45,38 @@ KINDS: Dict[str, Kind] = {
     "quad8": Kind(2, 4, 8, _ring(4)),
     "quad9": Kind(2, 4, 9, _ring(4)),
     "tet4": Kind(3, 4, 4),
-    "tet10": Kind(3, 4, 10, _ring(3) + ((0, 3), (1, 3), (2, 3))),
+    "tet10": Kind(3, 4, 10, _ring(3) + _up(3, (3, 3, 3))),
     "pyramid5": Kind(3, 5, 5),
+    "pyramid13": Kind(3, 5, 13, _ring(4) + _up(4, (4, 4, 4, 4))),
     "prism6": Kind(3, 6, 6),
+    "prism15": Kind(3, 6, 15, _ring(3) + _ring(3, 3) + _up(3, range(3, 6))),
     "hex8": Kind(3, 8, 8),
+    "hex20": Kind(3, 8, 20, _ring(4) + _ring(4, 4) + _up(4, range(4, 8))),
 }
+SECOND_ORDER = {"line2": "line3", "tri3": "tri6", "quad4": "quad8", "tet4": "tet10",
+                "pyramid5": "pyramid13", "prism6": "prism15", "hex8": "hex20"}
+_FIRST_ORDER = {**{second: first for first, second in SECOND_ORDER.items()}, "quad9": "quad4"}
 _OWN_NAME = {1: "Edge", 2: "Face", 3: "Solid"}
+
+
+def order_of(kind: str, corners: Sequence[int], sides: Optional[Sides] = None) -> Tuple[int, ...]:
+    """The nodes of a kind in the order of a format that has the corners in this one, and then a
+    node on each of its own `sides`, places of its corners; without them, on those of the kind."""
+    entry = KINDS[kind]
+    place = {frozenset(side): entry.corners + i for i, side in enumerate(entry.sides)}
+    return tuple(corners) + tuple(place[frozenset((corners[a], corners[b]))]
+                                  for a, b in (entry.sides if sides is None else sides))
+
+
+def upright_first(kind: str) -> Tuple[int, ...]:
+    """The nodes of a kind where those on upright sides come before those on the sides of the top.
+    """
+    entry = KINDS[kind]
+    if kind not in ("prism15", "hex20"):
+        return tuple(range(entry.nodes))
+    base = entry.corners // 2
+    upright = entry.sides[:base] + entry.sides[2 * base:] + entry.sides[base:2 * base]
+    return order_of(kind, range(entry.corners), upright)
 
 
 @dataclass(frozen=True)
@@ -259,16 +292,24 @@ def of_mesh(mesh, named: Mapping[str, Sequence[str]], layer_groups: bool = False
     return _with_mid_nodes(parts, mesh) if len(mesh.mid_nodes) else parts
 
 
+def of_first_order(parts: MeshParts) -> MeshParts:
+    """The same mesh without its mid nodes, which stay in the list of nodes."""
+    blocks = []
+    for block in parts.blocks:
+        kind = _FIRST_ORDER.get(block.kind, block.kind)
+        blocks.append(replace(block, kind=kind, cells=block.cells[:, :KINDS[kind].corners]))
+    return parts.with_blocks(blocks)
+
+
 def _with_mid_nodes(parts: MeshParts, mesh) -> MeshParts:
     by_edge = mesh.mids_of_segment
     lines = np.concatenate([by_edge[edge] for edge in sorted(by_edge)] or [np.zeros(0, np.int32)])
-    mids = {"quad4": ("quad8", mesh.mids_of_quad), "tri3": ("tri6", mesh.mids_of_triangle),
-            "line2": ("line3", lines)}
+    mids = {"quad4": mesh.mids_of_quad, "tri3": mesh.mids_of_triangle, "line2": lines}
     blocks = []
     for block in parts.blocks:
-        kind, own = mids[block.kind]
-        cells = np.concatenate([block.cells, own.reshape(len(block), -1)], axis=1)
-        blocks.append(replace(block, kind=kind, cells=cells))
+        own = mids[block.kind].reshape(len(block), -1)
+        blocks.append(replace(block, kind=SECOND_ORDER[block.kind],
+                              cells=np.concatenate([block.cells, own], axis=1)))
     none = np.zeros(len(mesh.mid_nodes), np.int32)
     return replace(parts, nodes=np.concatenate([parts.nodes, mesh.mid_nodes]),
                    blocks=tuple(blocks), node_layer=np.concatenate([parts.node_layer, none]),

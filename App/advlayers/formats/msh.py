@@ -11,7 +11,7 @@ from typing import Dict, List, Tuple
 
 import numpy as np
 
-from advlayers.formats.mesh_parts import MeshParts, periodic_parts
+from advlayers.formats.mesh_parts import MeshParts, order_of, periodic_parts
 from advlayers.formats.text_file import TextFile
 
 # By kind Gmsh's number and order of the nodes.
@@ -21,6 +21,13 @@ _ELEMENTS: Dict[str, Tuple[int, Tuple[int, ...]]] = {
     "quad4": (3, (0, 1, 2, 3)), "quad8": (16, tuple(range(8))), "quad9": (10, tuple(range(9))),
     "tet4": (4, (0, 1, 2, 3)), "tet10": (11, (0, 1, 2, 3, 4, 5, 6, 7, 9, 8)),
     "pyramid5": (7, tuple(range(5))), "prism6": (6, tuple(range(6))), "hex8": (5, tuple(range(8))),
+    "pyramid13": (19, order_of("pyramid13", range(5), (
+        (0, 1), (0, 3), (0, 4), (1, 2), (1, 4), (2, 3), (2, 4), (3, 4)))),
+    "prism15": (18, order_of("prism15", range(6), (
+        (0, 1), (0, 2), (0, 3), (1, 2), (1, 4), (2, 5), (3, 4), (3, 5), (4, 5)))),
+    "hex20": (17, order_of("hex20", range(8), (
+        (0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 7), (5, 6),
+        (6, 7)))),
 }
 KINDS = frozenset(_ELEMENTS)
 VERSIONS = ("4.1", "2.2")

@@ -5,7 +5,7 @@ from typing import Any, Dict, List, Tuple
 
 import numpy as np
 
-from advlayers.formats.mesh_parts import KINDS, MeshParts
+from advlayers.formats.mesh_parts import KINDS, SECOND_ORDER, MeshParts
 
 # Sides as places of corners, by kind; seen from outside they turn counter-clockwise.
 SIDES: Dict[str, Tuple[Tuple[int, ...], ...]] = {
@@ -16,7 +16,8 @@ SIDES: Dict[str, Tuple[Tuple[int, ...], ...]] = {
     "prism6": ((0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)),
     "hex8": ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)),
 }
-SIDES.update(tri6=SIDES["tri3"], quad8=SIDES["quad4"], quad9=SIDES["quad4"], tet10=SIDES["tet4"])
+SIDES.update({second: SIDES[first] for first, second in SECOND_ORDER.items() if first in SIDES},
+             quad9=SIDES["quad4"])
 
 
 def find(parts: MeshParts, cells: List[Tuple[str, Any]]) -> Tuple[Any, Any, Any]:

@@ -17,6 +17,8 @@ _ELEMENTS: Dict[str, Tuple[int, Tuple[int, ...]]] = {
     "quad4": (44, (0, 1, 2, 3)), "quad8": (45, (0, 4, 1, 5, 2, 6, 3, 7)),
     "tet4": (111, (0, 1, 2, 3)), "tet10": (118, (0, 4, 1, 5, 2, 6, 7, 8, 9, 3)),
     "prism6": (112, tuple(range(6))), "hex8": (115, tuple(range(8))),
+    "prism15": (113, (0, 6, 1, 7, 2, 8, 12, 13, 14, 3, 9, 4, 10, 5, 11)),
+    "hex20": (116, (0, 8, 1, 9, 2, 10, 3, 11, 16, 17, 18, 19, 4, 12, 5, 13, 6, 14, 7, 15)),
 }
 KINDS = frozenset(_ELEMENTS)
 _ELEMENT_ENTITY, _NODE_ENTITY = 8, 7

@@ -11,16 +11,17 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from advlayers.formats.mesh_parts import Block, MeshParts
+from advlayers.formats.mesh_parts import Block, MeshParts, order_of
 
-# By kind VTK's number and order of the nodes: its wedge begins with the side that faces outward.
+# By kind VTK's number and order of the nodes: its wedges begin with the side that faces outward.
 ELEMENTS: Dict[str, Tuple[int, Tuple[int, ...]]] = {
     "line2": (3, (0, 1)), "line3": (21, (0, 1, 2)),
     "tri3": (5, (0, 1, 2)), "tri6": (22, tuple(range(6))),
     "quad4": (9, (0, 1, 2, 3)), "quad8": (23, tuple(range(8))), "quad9": (28, tuple(range(9))),
     "tet4": (10, (0, 1, 2, 3)), "tet10": (24, tuple(range(10))),
     "pyramid5": (14, tuple(range(5))), "prism6": (13, (0, 2, 1, 3, 5, 4)),
-    "hex8": (12, tuple(range(8))),
+    "hex8": (12, tuple(range(8))), "pyramid13": (27, tuple(range(13))),
+    "prism15": (26, order_of("prism15", (0, 2, 1, 3, 5, 4))), "hex20": (25, tuple(range(20))),
 }
 KINDS = frozenset(ELEMENTS)
 _TYPES = {"float64": "Float64", "int32": "Int32", "int64": "Int64", "uint8": "UInt8"}

@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, NamedTuple, Tuple
 
 import numpy as np
 
-from advlayers.formats.mesh_parts import KINDS, Block, MeshParts
+from advlayers.formats.mesh_parts import KINDS, SECOND_ORDER, Block, MeshParts
 
 _EDGES = KINDS["tet10"].sides
 _LEAST_JACOBIAN = 0.1  # of the straight cell's, at every node
@@ -118,7 +118,7 @@ def _determinant(a, b, c):
 
 def _raised(block: Block, bent: Dict[Tuple[int, int], int], first: int) -> Block:
     """A triangle or a line with the mid nodes of its sides."""
-    kind = {"tri3": "tri6", "line2": "line3"}[block.kind]
+    kind = SECOND_ORDER[block.kind]
     mids = np.stack([[first + bent[tuple(pair)]
                       for pair in np.sort(block.cells[:, list(side)], axis=1).tolist()]
                      for side in KINDS[kind].sides], axis=1)

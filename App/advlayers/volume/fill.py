@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence
+from typing import Any, Callable, Dict, FrozenSet, List, Mapping, Optional, Sequence
 
 import numpy as np
 
 from advlayers.errors import InputError
-from advlayers.formats.mesh_parts import Block, Group, MeshParts
+from advlayers.formats.mesh_parts import (
+    SECOND_ORDER, Block, Group, MeshParts, of_first_order)
 from advlayers.volume import gmsh_filler, netgen_filler
 from advlayers.volume.curved import Project, with_mid_nodes
 from advlayers.volume.programs import Cells, gmsh, python_with_netgen
 from advlayers.volume.quality import (
     SLIVER, figures, least_pyramid_volumes, tetrahedron_volumes)
-from advlayers.volume.skin import Skin, check_closed, in_triangles, of_first_order, skin_of
+from advlayers.volume.skin import Skin, check_closed, in_triangles, skin_of
 
 _THINNEST_QUAD = 40  # measured: at 20 it takes twice the time of 7, at 70 there is no end
 _FLIPPED = {4: (1, 0, 2, 3), 5: (0, 3, 2, 1, 4)}
@@ -24,6 +25,12 @@ _FLIPPED = {4: (1, 0, 2, 3), 5: (0, 3, 2, 1, 4)}
 class Filled:
     parts: MeshParts
     figures: Dict[str, Any]  # as the report has them
+
+
+def kinds(values: Mapping[str, Any], order: int) -> FrozenSet[str]:
+    """Of the cells that a checked block asks for."""
+    first = ("tet4", "pyramid5") if values["quads"] == "keep" else ("tet4",)
+    return frozenset(first if order == 1 else (SECOND_ORDER[kind] for kind in first))
 
 
 class VolumeFill:

@@ -39,17 +39,6 @@ def _corners(block: Block) -> int:
     return 4 if block.kind.startswith("quad") else 3
 
 
-def of_first_order(parts: MeshParts) -> MeshParts:
-    """The same mesh without its mid nodes, which stay in the list of nodes."""
-    kinds = {"quad8": ("quad4", 4), "quad9": ("quad4", 4), "tri6": ("tri3", 3),
-             "line3": ("line2", 2)}
-    blocks = []
-    for block in parts.blocks:
-        kind, corners = kinds.get(block.kind, (block.kind, block.cells.shape[1]))
-        blocks.append(replace(block, kind=kind, cells=block.cells[:, :corners]))
-    return replace(parts, blocks=tuple(blocks))
-
-
 def in_triangles(parts: MeshParts) -> MeshParts:
     """Each quad cut in two, without a new node."""
     quads = [block for block in parts.of(2) if block.kind == "quad4"]

@@ -17,7 +17,10 @@ from mesh_cases import NAMES, case  # noqa: E402
 # FreeCAD's order of the nodes of volume elements.
 ORDERS = {("Volume", 4): [0, 2, 1, 3], ("Volume", 5): [0, 3, 2, 1, 4],
           ("Volume", 10): [0, 2, 1, 3, 6, 5, 4, 7, 9, 8], ("Volume", 6): [0, 2, 1, 3, 5, 4],
-          ("Volume", 8): [0, 3, 2, 1, 4, 7, 6, 5]}
+          ("Volume", 8): [0, 3, 2, 1, 4, 7, 6, 5],
+          ("Volume", 13): [0, 3, 2, 1, 4, 8, 7, 6, 5, 9, 12, 11, 10],
+          ("Volume", 15): [0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13],
+          ("Volume", 20): [0, 3, 2, 1, 4, 7, 6, 5, 11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]}
 
 
 def elements_of(fem):
@@ -66,7 +69,7 @@ def test_med(tmp_path, name):
 
 
 @pytest.mark.parametrize("name", ["solid", "plane", "facets", "second", "extruded",
-                                  "filled second"])
+                                  "extruded second", "filled second"])
 def test_unv(tmp_path, name):
     parts, path = case(name), str(tmp_path / "mesh.unv")
     unv.write(path, parts)
@@ -105,7 +108,8 @@ def test_facets(tmp_path, name):
         assert mesh.CountPoints == len(parts.nodes)
 
 
-@pytest.mark.parametrize("name", ["solid", "second", "extruded", "filled", "filled second"])
+@pytest.mark.parametrize("name", ["solid", "second", "extruded", "extruded second",
+                                  "turned second", "filled", "filled second"])
 def test_both_ways_to_a_document_are_one(name):
     """Through a file, and node by node with a look at the request to stop."""
     parts = case(name)
