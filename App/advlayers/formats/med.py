@@ -143,17 +143,17 @@ def _element_families(parts: MeshParts, block: Block, families: _Families):
             for number in group.parts:
                 in_groups.setdefault(number, []).append(group.name)
     layered = parts.layer_groups and block.dimension == 2
-    layer = block.layers.astype(np.int64) if layered else 0
-    key = block.part.astype(np.int64) * 2**32 + layer
-    found, place = np.unique(key, return_inverse=True)
-    numbers = []
-    for value in found.tolist():
-        part, layer_number = divmod(value, 2**32)
+    # A table of all that may be is quicker than sorting the elements.
+    layers = int(block.layers.max()) + 1 if layered else 1
+    key = block.part.astype(np.int64) * layers + (block.layers if layered else 0)
+    table = np.zeros(int(key.max()) + 1, np.int32)
+    for value in np.flatnonzero(np.bincount(key)).tolist():
+        part, layer_number = divmod(value, layers)
         names = [parts.name(block.dimension, part), *in_groups.get(part, ())]
         if layered:
             names.append(f"Layer{layer_number}" if layer_number else "Core")
-        numbers.append(families.of_elements(tuple(dict.fromkeys(names))))
-    return np.array(numbers, np.int32)[place]
+        table[value] = families.of_elements(tuple(dict.fromkeys(names)))
+    return table[key]
 
 
 def _entities(group):
