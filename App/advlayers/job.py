@@ -10,10 +10,10 @@ from typing import Any, Dict, Mapping, Optional, Tuple
 from advlayers import (
     cad_input, document_values, export, extrusion, faceted, flow_height, initial_mesh, presets)
 from advlayers.errors import InputError
+from advlayers.file_mesh import Form
 from advlayers.formats import polymesh
 from advlayers.settings_check import check_all
 from advlayers.settings_table import EXPORT_SETTINGS, JOB_SETTINGS, MESH_SETTINGS
-from advlayers.volume import fill
 
 _MOST_DIGITS = 300  # of a whole number; what has more is infinite, which no setting may be
 
@@ -34,14 +34,12 @@ class Job:
     volume: Optional[Dict[str, Any]] = None  # the checked block
 
     @property
+    def form(self) -> Form:
+        return Form(self.extrude, self.volume, self.export["quad_nodes"])
+
+    @property
     def asked(self) -> export.Asked:
-        order = self.settings["order"]
-        cells = frozenset()
-        if self.extrude:
-            cells = extrusion.kinds(self.extrude, order)
-        elif self.volume:
-            cells = fill.kinds(self.volume, order)
-        return export.Asked(_groups_written(self), order, cells, self.export["quad_nodes"])
+        return self.form.asked(self.settings["groups"], self.settings["order"])
 
 
 def read_job(path: str) -> Job:
@@ -71,19 +69,9 @@ def read_job(path: str) -> Job:
         volume=values["volume"],
     )
     flow_height.of_settings(job.settings)  # refuses what contradicts itself
-    if job.extrude and job.volume:
-        raise InputError("volume", "does not go with extrude")
-    if job.export["quad_nodes"] == 9:
-        _check_quads_of_9(job)
+    job.form.check(job.settings["order"])
     _check_files(job, path)
     return job
-
-
-def _check_quads_of_9(job: Job) -> None:
-    if job.settings["order"] == 1:
-        raise InputError("quad_nodes", "goes with order 2 only, got 9")
-    if job.extrude or job.volume:
-        raise InputError("quad_nodes", "is of surfaces: 9 does not go with extrude or volume")
 
 
 def in_freecad() -> bool:
@@ -151,15 +139,6 @@ def _check_files(job: Job, job_path: str) -> None:
     for key, path, ending in (("report", job.report, ".json"), ("picture", job.picture, ".png")):
         if path and (not path.lower().endswith(ending) or os.path.islink(path)):
             raise InputError(key, "must be a file of its own that ends in {}, got {}", ending, path)
-
-
-def _groups_written(job: Job) -> Dict[str, Any]:
-    """Extruded, edges make faces."""
-    groups = job.settings["groups"]
-    if not job.extrude:
-        return groups
-    return {name: [f"Face{member[4:]}" for member in members if member.startswith("Edge")]
-            for name, members in groups.items()}
 
 
 def _check_target(key: str, path: str) -> None:

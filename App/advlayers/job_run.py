@@ -13,9 +13,9 @@ from advlayers import (
     cad_input, export, features, flow_height, initial_mesh, limits, picture)
 from advlayers.core_access import load_core
 from advlayers.errors import InputError
+from advlayers.file_mesh import FileMesh
 from advlayers.formats import mesh_parts
 from advlayers.job import Job
-from advlayers.job_mesh import JobMesh, job_mesh
 from advlayers.meshing import Run, core_settings
 from advlayers.outputs import Outputs
 from advlayers.report import has_error, info, make_report, make_strict
@@ -56,8 +56,9 @@ def run_job(job: Job, watch: Watch) -> Dict[str, Any]:
 
     watch("write", [])
     start = time.perf_counter()
-    made = job_mesh(job, mesh, cad.model, job.input_name, for_core.size,
-                    lambda: watch("write", []))
+    parts = mesh_parts.of_mesh(mesh, job.settings["groups"], job.settings["layer_groups"])
+    made = job.form.made(parts, cad.model, job.input_name, for_core.size,
+                         lambda: watch("write", []))
     for i, path in enumerate(job.outputs):
         export.check_kinds(f"outputs[{i}]", path, made.parts)
     product = export.Product(made.parts.scaled(job.export["scale"]), job.export)
@@ -107,7 +108,7 @@ def _initial_mesh(job: Job) -> Optional[initial_mesh.Arrays]:
     return None if path is None else initial_mesh.read(path)
 
 
-def _report(job: Job, cad: cad_input.Cad, mesh, made: JobMesh,
+def _report(job: Job, cad: cad_input.Cad, mesh, made: FileMesh,
             seconds: Dict[str, float]) -> Dict[str, Any]:
     notes = [info("object-chosen", cad.note)] if cad.note else []
     flow = flow_height.of_settings(job.settings)
@@ -126,7 +127,7 @@ def exit_status(report: Dict[str, Any]) -> int:
     return 2 if has_error(report) else 0
 
 
-def _add_document(job: Job, cad: cad_input.Cad, mesh, made: JobMesh,
+def _add_document(job: Job, cad: cad_input.Cad, mesh, made: FileMesh,
                   product: export.Product) -> None:
     """Makes what a FreeCAD document needs, and nothing where none is asked for."""
     if ".fcstd" not in {export.format_of(path) for path in job.outputs}:

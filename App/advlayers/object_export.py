@@ -2,35 +2,48 @@
 from __future__ import annotations
 
 import errno
+import os
 
-from advlayers import cad_input, export, quad_centres, stored_mesh
+from advlayers import cad_input, export, stored_mesh
 from advlayers.errors import InputError
-from advlayers.formats import mesh_parts
+from advlayers.extrusion import of_settings
+from advlayers.file_mesh import Form
+from advlayers.formats import mesh_parts, polymesh
+from advlayers.layer_mesh import window_watch
 from advlayers.outputs import Outputs
 from advlayers.sentence import Sentence
 from advlayers.settings_check import check_all
-from advlayers.settings_table import EXPORT_SETTINGS
+from advlayers.settings_table import EXPORT_SETTINGS, JOB_SETTINGS, setting
+
+
+_FORMS = tuple(setting(key, JOB_SETTINGS) for key in ("extrude", "volume"))
 
 
 def export_mesh(mesh_object, path: str, **options) -> None:
-    """The ending says the format, and options are what a job may say of files: `scale=0.001`.
+    """The ending says the format; `options` are what a job may say of files, `scale=0.001`, and of
+    what becomes of the mesh in them: `extrude={"thickness": 2}` or `volume={}`.
+
     Raises InputError for a format that cannot be written or cannot carry the mesh, an object that
-    has no mesh, or a file that cannot be written; nothing half-written remains."""
+    has no mesh, or a file that cannot be written; nothing half-written remains.
+    """
     export.check_format("file", path, freecad=True)
-    checked = check_all(options, EXPORT_SETTINGS)
+    checked = check_all(options, EXPORT_SETTINGS + _FORMS)
+    form = Form(checked["extrude"] and of_settings(checked["extrude"]), checked["volume"],
+                checked["quad_nodes"])
     mesh = stored_mesh.read(mesh_object)
     order = 2 if len(mesh.mid_nodes) else 1
-    nine = checked["quad_nodes"] == 9
-    if nine and order == 1:
-        raise InputError("quad_nodes", "goes with order 2 only, got 9")
-    export.check_carries("file", path, export.Asked(
-        mesh.named, order, quad_nodes=checked["quad_nodes"]))
-    parts = mesh_parts.of_mesh(mesh, mesh.named, mesh_object.LayerGroups)
-    if nine:
-        parts = quad_centres.added(parts, cad_input.model_of(mesh_object).project)
+    form.check(order)
+    export.check_carries("file", path, form.asked(mesh.named, order))
+    parts = form.made(
+        mesh_parts.of_mesh(mesh, mesh.named, mesh_object.LayerGroups),
+        cad_input.model_of(mesh_object) if form.needs_model else None, mesh_object.Label,
+        mesh_object.Size.Value, lambda: window_watch.get()([])).parts
+    export.check_kinds("file", path, parts)
     product = export.Product(parts.scaled(checked["scale"]), checked, mesh_object.Document)
     try:
         with Outputs() as outputs:
+            if export.format_of(path) == polymesh.NAME.lower():
+                outputs.make_folder(os.path.dirname(path) or ".")
             outputs.write(path, lambda temporary: export.FORMATS[export.format_of(path)].write(
                 temporary, product))
             outputs.publish()
