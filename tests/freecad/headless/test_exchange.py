@@ -1,5 +1,8 @@
 """From and to FreeCAD's other meshes: export, triangles, volumes, Gmsh's settings."""
+import re
+
 import advlayers
+import Fem
 import FreeCAD
 import numpy as np
 import ObjectsFem
@@ -162,6 +165,39 @@ def test_a_volume_of_second_order(box):
             assert np.allclose(mid, (cell[a] + cell[b]) / 2, atol=1e-9)
     names = {fem.getGroupName(i): fem.getGroupElementType(i) for i in fem.Groups}
     assert names["Fluid"] == "Volume" and names["Face1"] == "Face"
+
+
+def test_cells_are_exported(box, mesh, tmp_path):
+    """Filled or extruded on the way to the file, as in a job; the document does not change."""
+    needs_gmsh()
+    before = [entry.Name for entry in box.Document.Objects]
+    folder = tmp_path / "meshCase" / "constant" / "polyMesh"
+    folder.parent.parent.mkdir()
+    object_export.export_mesh(mesh, str(folder), scale=0.001, volume={})
+    patches = re.findall(r"^    (\w+)\n    \{", (folder / "boundary").read_text(), re.M)
+    faces = {f"Face{i}" for i in range(1, 7)} - set(mesh.GroupList[0].References[0][1])
+    assert set(patches) == faces | {"inlet"}
+    plane = advlayers.make_layer_mesh(box, size=4, faces=["Face6"], order=2)
+    path = str(tmp_path / "plate.med")
+    object_export.export_mesh(plane, path, extrude={"thickness": 2})
+    kinds = {len(cell) for cell in map(Fem.read(path).getElementNodes, Fem.read(path).Volumes)}
+    assert kinds and kinds <= {15, 20}
+    object_export.export_mesh(plane, path, quad_nodes=9)
+    kinds = {len(cell) for cell in map(Fem.read(path).getElementNodes, Fem.read(path).Faces)}
+    assert 9 in kinds and 8 not in kinds
+    box.Document.removeObject(plane.Name)
+    assert [entry.Name for entry in box.Document.Objects] == before
+
+
+@pytest.mark.parametrize("options, said", [
+    ({"volume": {"quads": "keep"}}, "no pyramids, which stand on quads that are kept: "),
+    ({"volume": {}, "extrude": {"thickness": 1}}, "does not go with extrude"),
+    ({"quad_nodes": 9}, "goes with order 2 only"),
+])
+def test_exports_that_contradict_themselves(mesh, tmp_path, options, said):
+    with pytest.raises(InputError, match=said):
+        object_export.export_mesh(mesh, str(tmp_path / "mesh.unv"), **options)
+    assert not list(tmp_path.iterdir())
 
 
 def test_filling_can_be_stopped(mesh):
