@@ -995,6 +995,10 @@
         <translation>Python</translation>
     </message>
     <message>
+        <source>Quad nodes</source>
+        <translation>Knoten je Viereck</translation>
+    </message>
+    <message>
         <source>Quads</source>
         <translation>Vierecke</translation>
     </message>
@@ -1531,6 +1535,10 @@
         <translation>gehört nur zu axis_direction</translation>
     </message>
     <message>
+        <source>goes with order 2 only, got 9</source>
+        <translation>passt nur zur Ordnung 2, ist aber 9</translation>
+    </message>
+    <message>
         <source>has a member outside of itself, {}: {}</source>
         <translation>hat einen Bestandteil außerhalb seiner selbst, {}: {}</translation>
     </message>
@@ -1665,6 +1673,10 @@
     <message>
         <source>is not installed: {}</source>
         <translation>ist nicht installiert: {}</translation>
+    </message>
+    <message>
+        <source>is of surfaces: 9 does not go with extrude or volume</source>
+        <translation>gilt für Flächen: 9 passt nicht zu Extrusion oder Volumen</translation>
     </message>
     <message>
         <source>is the name of the front, too: {}</source>
@@ -1835,10 +1847,6 @@
         <translation>diesen Ordner gibt es nicht: {}</translation>
     </message>
     <message>
-        <source>makes elements of first order: it does not go with order 2</source>
-        <translation>macht Elemente erster Ordnung: verträgt sich nicht mit Ordnung 2</translation>
-    </message>
-    <message>
         <source>match</source>
         <translation>Anschluss</translation>
     </message>
@@ -1861,10 +1869,6 @@
     <message>
         <source>must be "split" at order 2, got "keep"</source>
         <translation>muss bei Ordnung 2 "split" sein, nicht "keep"</translation>
-    </message>
-    <message>
-        <source>must be 1 with extrude, got 2</source>
-        <translation>muss mit extrude 1 sein, nicht 2</translation>
     </message>
     <message>
         <source>must be a file of its own that ends in {}, got {}</source>
@@ -2401,6 +2405,18 @@
     <message>
         <source>{} files have no elements of second order: {}</source>
         <translation>Dateien für {} haben keine Elemente zweiter Ordnung: {}</translation>
+    </message>
+    <message>
+        <source>{} files have no pyramids, which stand on quads that are kept: {}</source>
+        <translation>{}-Dateien haben keine Pyramiden, die auf behaltenen Vierecken stehen: {}</translation>
+    </message>
+    <message>
+        <source>{} files have no pyramids, which the mesh has along the axis: {}</source>
+        <translation>{}-Dateien haben keine Pyramiden, die das Netz längs der Achse hat: {}</translation>
+    </message>
+    <message>
+        <source>{} files have no quads of {} nodes: {}</source>
+        <translation>{}-Dateien haben keine Vierecke mit {} Knoten: {}</translation>
     </message>
     <message>
         <source>{} files have no volume elements: {}</source>

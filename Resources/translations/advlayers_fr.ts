@@ -995,6 +995,10 @@
         <translation>Python</translation>
     </message>
     <message>
+        <source>Quad nodes</source>
+        <translation>Nœuds par quadrangle</translation>
+    </message>
+    <message>
         <source>Quads</source>
         <translation>Quadrangles</translation>
     </message>
@@ -1531,6 +1535,10 @@
         <translation>ne va qu'avec axis_direction</translation>
     </message>
     <message>
+        <source>goes with order 2 only, got 9</source>
+        <translation>ne va qu'avec l'ordre 2, mais vaut 9</translation>
+    </message>
+    <message>
         <source>has a member outside of itself, {}: {}</source>
         <translation>a un élément en dehors de lui-même, {} : {}</translation>
     </message>
@@ -1665,6 +1673,10 @@
     <message>
         <source>is not installed: {}</source>
         <translation>n'est pas installé : {}</translation>
+    </message>
+    <message>
+        <source>is of surfaces: 9 does not go with extrude or volume</source>
+        <translation>concerne les surfaces : 9 ne va pas avec l'extrusion ni le volume</translation>
     </message>
     <message>
         <source>is the name of the front, too: {}</source>
@@ -1835,10 +1847,6 @@
         <translation>ce dossier n'existe pas : {}</translation>
     </message>
     <message>
-        <source>makes elements of first order: it does not go with order 2</source>
-        <translation>donne des éléments du premier ordre : ne va pas avec l'ordre 2</translation>
-    </message>
-    <message>
         <source>match</source>
         <translation>raccord</translation>
     </message>
@@ -1861,10 +1869,6 @@
     <message>
         <source>must be "split" at order 2, got "keep"</source>
         <translation>doit valoir "split" à l'ordre 2, pas "keep"</translation>
-    </message>
-    <message>
-        <source>must be 1 with extrude, got 2</source>
-        <translation>doit valoir 1 avec extrude, pas 2</translation>
     </message>
     <message>
         <source>must be a file of its own that ends in {}, got {}</source>
@@ -2401,6 +2405,18 @@
     <message>
         <source>{} files have no elements of second order: {}</source>
         <translation>les fichiers {} n’ont pas d’éléments du second ordre : {}</translation>
+    </message>
+    <message>
+        <source>{} files have no pyramids, which stand on quads that are kept: {}</source>
+        <translation>Les fichiers {} n'ont pas de pyramides, qui se dressent sur les quadrangles gardés : {}</translation>
+    </message>
+    <message>
+        <source>{} files have no pyramids, which the mesh has along the axis: {}</source>
+        <translation>Les fichiers {} n'ont pas de pyramides, que le maillage a le long de l'axe : {}</translation>
+    </message>
+    <message>
+        <source>{} files have no quads of {} nodes: {}</source>
+        <translation>Les fichiers {} n'ont pas de quadrangles à {} nœuds : {}</translation>
     </message>
     <message>
         <source>{} files have no volume elements: {}</source>
