@@ -256,7 +256,7 @@ VOLUME_SETTINGS = (
     Setting(
         "most_slivers", "number", 10.0,
         "The most tetrahedra with an angle below 5 degrees between two sides, in percent: where "
-        "there are more, the job fails.",
+        "there are more, the filling fails.",
         low=0.0, high=100.0,
     ),
 )
