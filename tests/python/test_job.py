@@ -93,3 +93,22 @@ def test_a_folder_that_cannot_be_written_to(write, tmp_path):
     (tmp_path / "closed").mkdir(mode=0o500)
     with pytest.raises(InputError, match="cannot be written to"):
         read_job(write(outputs=["closed/box.vtu"]))
+
+
+@pytest.mark.parametrize("text, words", [
+    ('"size": ' + "9" * 10_000, "size must be a finite number"),
+    ('"size": -' + "9" * 10_000, "size must be a finite number"),
+    ('"size": 1e' + "9" * 10_000, "size must be a finite number"),
+    ('"layers": ' + "9" * 10_000, "layers must be a whole number"),
+    ('"outputs": ["a\\u0000.vtu"]', "outputs[0] must be a text"),
+    ('"faces": [' + ", ".join(['"Face1"'] * 30_000) + "]", "faces names Face1 twice"),
+    ('"a": ' + "[" * 100_000, "the job file is nested too deeply"),
+])
+def test_endless_values_are_named(tmp_path, text, words):
+    (tmp_path / "box.step").write_text("not looked at yet")
+    path = tmp_path / "job.json"
+    path.write_text('{"input": "box.step", "report": "r.json", ' + text + "}")
+    with pytest.raises(InputError) as error:
+        read_job(str(path))
+    assert words in str(error.value)
+    assert len(str(error.value)) < 300
