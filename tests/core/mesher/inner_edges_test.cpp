@@ -277,7 +277,7 @@ TEST(InnerEdges, FacetsOfOnePlaneLeaveNoTrace) {
   EXPECT_EQ(mesh.patches.size(), 6u);
   EXPECT_EQ(mesh.figures.inverted, 0);
   EXPECT_NEAR(mesh.figures.quad_percent, whole.figures.quad_percent, 1.0);
-  EXPECT_GE(mesh.figures.min_angle, 0.9 * whole.figures.min_angle);
+  EXPECT_GE(mesh.figures.min_angle, 25.0);  // another triangulation to begin with, another core
   expect_watertight(mesh);
 }
 
