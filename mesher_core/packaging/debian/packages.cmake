@@ -25,11 +25,10 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-advlayers-core)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-if(Python_VERSION_MAJOR)
-  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-      "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
-endif()
+find_package(Python 3.9 REQUIRED COMPONENTS Interpreter)  # what mesher_core found is seen there alone
+math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
     "quad-dominant surface meshes in layers from CAD edges (core)
 The meshing core of Advancing Layers as a Python module: it reads CAD files
