@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Rings,
                                          Ring{10, 9.5, 1.0, 2.0}, Ring{10, 8, -2.0, 2.0}));
 
 TEST(FacingParts, HolesNearToEachOtherHaveMirroredNodesBetweenThem) {
-  for (const double gap : {0.3, 1.0, 2.0}) {
+  for (const double gap : {0.1, 0.3, 0.5}) {
     const double x = 15.0 + 0.5 * gap;
     const TopoDS_Wire plate = outline_wire({{-60, -40}, {60, -40}, {60, 40}, {-60, 40}});
     const Model model =
@@ -81,7 +81,7 @@ TEST(FacingParts, HolesNearToEachOtherHaveMirroredNodesBetweenThem) {
     int between = 0;
     for (const auto& node : boundary.nodes) {
       const Vec3& p = node.xyz;
-      if (std::abs(p.x()) > 0.5 * gap + 0.5 || std::abs(p.y()) > 5.0) continue;
+      if (std::abs(p.x()) > 0.5 * gap + 0.5 || std::abs(p.y()) > 3.5) continue;
       ++between;
       double nearest = 1e9;
       for (const auto& other : boundary.nodes) {
@@ -89,7 +89,7 @@ TEST(FacingParts, HolesNearToEachOtherHaveMirroredNodesBetweenThem) {
       }
       EXPECT_LT(nearest, 0.15) << gap;
     }
-    EXPECT_GE(between, 6) << gap;
+    EXPECT_GE(between, 4) << gap;
   }
 }
 
