@@ -48,7 +48,6 @@ struct SizeSpec {
   std::optional<double> first_segment{};            // [mm] at the first vertex of each edge
   std::optional<double> last_segment{};             // [mm] at its last one
   Distribution distribution = Distribution::kTanh;  // between them
-  std::optional<double> distance{};  // [mm] within which the size holds on other faces, too
 };
 
 // Finer about a point, a line or in a box.
@@ -62,11 +61,11 @@ struct Refinement {
   double distance(const Vec3& p) const;  // [mm] of the point, the line or the box
 };
 
-// Edges or faces that are cut and meshed alike: `found` as `given`, moved by a rotation about the
-// axis and then by the translation.
+// Edges and faces that are cut and meshed as their counterparts are: those are where these come to
+// by a rotation about the axis and then the translation.
 struct PeriodicSpec {
-  std::vector<EdgeId> given_edges, found_edges;
-  std::vector<FaceId> given_faces, found_faces;
+  std::vector<EdgeId> given_edges;
+  std::vector<FaceId> given_faces;
   Vec3 translation = Vec3::Zero();  // [mm]
   Vec3 axis_point = Vec3::Zero();   // [mm]
   Vec3 axis = Vec3::UnitZ();
@@ -83,11 +82,6 @@ struct Settings {
   double curvature_angle = 20.0;  // [deg] an edge segment or triangle side may turn
   double size_growth = 1.4;       // neighbouring edges differ by no more through size alone
   int cells_across = 0;           // elements over the extent of each face at least; 0: any
-  int gap_cells = 1;              // elements across a gap at least
-  double fan_angle = 20.0;        // [deg] between the kids of a convex corner
-  int straight_layers = 5;        // first ones that neither thinning nor smoothing changes
-  int most_layers = 0;            // for EndOfGrowth::kIsotropic; 0: any
-  int full_layers = 0;            // first ones that isotropy does not end
   double min_size = 0.0;          // [mm] curvature asks for no less
   double chord_deviation = 0.0;   // [mm] of a mesh edge from its curve or surface; 0: any
   double relative_chord = 0.0;    // the same over the edge's length; 0: any
