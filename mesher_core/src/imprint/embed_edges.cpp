@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/core_room.h"
@@ -29,6 +30,13 @@ class Embedder {
       const VertexH v(i);
       if (mesh.alive(v) && mesh.data(v).node.valid()) at_node_[mesh.data(v).node.index()] = v;
     }
+    for (const FaceId face : surface.faces()) {
+      for (const auto& loop : surface.model().face(face).loops) {
+        for (const CoEdge& of : loop) {
+          if (!of.degenerate) beside_.try_emplace(of.edge.index(), face, &of);
+        }
+      }
+    }
   }
 
   int run() {
@@ -43,9 +51,9 @@ class Embedder {
  private:
   int embed(EdgeId edge) {
     const EdgeNodes& cut = boundary_.edges[edge.index()];
-    const CoEdge* coedge = nullptr;
-    const FaceId face = face_beside(edge, coedge);
-    if (coedge == nullptr) return 0;
+    const auto beside = beside_.find(edge.index());
+    if (beside == beside_.end()) return 0;
+    const auto& [face, coedge] = beside->second;
     std::vector<VertexH> line;
     VertexH last;
     for (std::size_t k = 0; k < cut.nodes.size(); ++k) {
@@ -59,19 +67,6 @@ class Embedder {
       if (line[k - 1].valid() && line[k].valid()) missing += !join(line[k - 1], line[k], edge);
     }
     return missing;
-  }
-
-  FaceId face_beside(EdgeId edge, const CoEdge*& coedge) const {
-    for (const FaceId face : surface_.faces()) {
-      for (const auto& loop : surface_.model().face(face).loops) {
-        for (const CoEdge& of : loop) {
-          if (of.edge != edge || of.degenerate) continue;
-          coedge = &of;
-          return face;
-        }
-      }
-    }
-    return {};
   }
 
   VertexH vertex_at(const EdgeNodes& cut, std::size_t k, FaceId face, const CoEdge& coedge,
@@ -172,6 +167,7 @@ class Embedder {
   const ReconnectLimits limits_;
   VetoTally tally_{};
   std::unordered_map<std::size_t, VertexH> at_node_;
+  std::unordered_map<std::size_t, std::pair<FaceId, const CoEdge*>> beside_;  // each edge's first
   std::vector<VertexH> made_;
 };
 
